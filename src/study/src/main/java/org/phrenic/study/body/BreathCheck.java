@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.ShippedFileException;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.diaphragm.SheetQuality;
@@ -62,6 +63,8 @@ final class BreathCheck {
                 }
             }
             return new BodyResult(body, notInScan, "", sheet, ribs, misses, breaths);
+        } catch (ShippedFileException e) {
+            throw e;
         } catch (RuntimeException e) {
             // Whatever a body brings about is a result of the check, and the other bodies are checked all the same.
             String why = e.getMessage() == null ? e.toString() : e.getMessage();

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.FramePlane;
+import org.phrenic.mesh.io.raster.EvenLines;
 
 /**
  * A grid through the planes of contours, for contours whose series is not at hand: the pixels of the masks of which

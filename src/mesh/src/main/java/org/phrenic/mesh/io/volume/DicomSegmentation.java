@@ -45,6 +45,8 @@ final class DicomSegmentation {
     private final int[] frame;
     private final int threshold;
     private int read = -1;
+    /** Whether the file holds frames in which their segment has no pixel, so that it leaves out no slices. */
+    private boolean hasEmptyFrames;
     /** Pixels of each frame that are in its segment, the first of them and the one after the last. */
     private final int[] counts;
 
@@ -101,7 +103,8 @@ final class DicomSegmentation {
             paintMap(painter, names);
             grid = painter.grid(affine);
         }
-        return LabelVolume.cropped(grid, LabelPainter.named(names), notes);
+        LabelVolume volume = new LabelVolume(grid, LabelPainter.named(names), notes);
+        return hasEmptyFrames ? volume : volume.with(LabelVolume.Extent.LABELLED_SLICES);
     }
 
     /** The least value of a pixel in a segment; 0 where a pixel is the number of its segment. */
@@ -184,6 +187,7 @@ final class DicomSegmentation {
         for (int f : frames) {
             measure(f);
             count += counts[f];
+            hasEmptyFrames |= counts[f] == 0;
             if (counts[f] > 0) {
                 bySlice.computeIfAbsent(stack.slice(f), none -> new ArrayList<>())
                         .add(f);

@@ -16,13 +16,17 @@ final class EmptyLayers {
     /** Greatest cross-section of a tip in the last layer, as of a spinous process, mm^2. */
     private static final double TIP_MM2 = 150;
     /**
-     * Greatest cross-section of a structure in the last layer over that in the next two where it is taken to end. Where
-     * a rounded end begins within the last layer, the sections of two layers are as 1 to 2 at most, and along the arch
-     * of a rib as 1 to the root of 2; where a structure is cut through, they are alike.
+     * Greatest cross-section of a structure in the last layer over that in the next one where it is taken to end: half,
+     * and a little more, where a rounded end begins within the last layer. Where it is cut through they are alike.
      */
-    private static final double TAPERED = 0.75;
+    private static final double ROUNDED = 0.55;
+    /**
+     * The same, of the next two, for one that is thin there, as the arch of a rib, whose sections are as 1 to the root
+     * of 2.
+     */
+    private static final double ARCHED = 0.75;
 
-    private static final int FARTHER_IN = 2;
+    private static final double THIN_MM2 = 1000;
     /** Structures of fewer voxels are specks, which say nothing of the scan's ends. */
     private static final int LEAST_VOXELS = 30;
 
@@ -49,18 +53,23 @@ final class EmptyLayers {
      * The grid with one more layer at each face that structures touch and at which all of them taper off; the grid as
      * it is where there is none, or no room for more layers.
      *
-     * @param cropped whether layers without labels are known to be left out, so that structures at both faces of a
-     *     direction show that it ends with them
+     * @param extent in directions of which layers without labels are left out, structures at both faces show that the
+     *     volume ends with them; else structures at all six faces do
      */
-    static LabelGrid beyond(LabelGrid grid, boolean cropped) {
+    static LabelGrid beyond(LabelGrid grid, LabelVolume.Extent extent) {
         int[] box = grid.box(label -> label > 0);
         int[] last = {grid.columns() - 1, grid.rows() - 1, grid.slices() - 1};
         boolean[] ends = new boolean[3];
         for (int direction = 0; direction < 3; direction++) {
             ends[direction] = box[direction] == 0 && box[3 + direction] == last[direction];
         }
-        boolean all = ends[0] && ends[1] && ends[2];
-        return all || (cropped && (ends[0] || ends[1] || ends[2])) ? new EmptyLayers(grid).padded(ends) : grid;
+        if (!(ends[0] && ends[1] && ends[2])) {
+            boolean ofLabels = extent == LabelVolume.Extent.LABELS;
+            ends[0] &= ofLabels;
+            ends[1] &= ofLabels;
+            ends[2] &= extent != LabelVolume.Extent.FIELD;
+        }
+        return ends[0] || ends[1] || ends[2] ? new EmptyLayers(grid).padded(ends) : grid;
     }
 
     private LabelGrid padded(boolean[] ends) {
@@ -117,13 +126,13 @@ final class EmptyLayers {
     private boolean tapers(int[][] areas, int face, int inward, double mm2) {
         int[] last = areas[face];
         for (int s = 0; s < structures; s++) {
-            int within = 0;
-            for (int layer = 1; layer <= FARTHER_IN && layer < areas.length; layer++) {
-                within = Math.max(within, areas[face + layer * inward][s]);
-            }
+            int next = areas.length > 1 ? areas[face + inward][s] : 0;
+            int within = areas.length > 2 ? Math.max(next, areas[face + 2 * inward][s]) : next;
+            boolean isArch = mm2 * within <= THIN_MM2 && last[s] <= ARCHED * within;
             int number = s;
             if (mm2 * last[s] > TIP_MM2
-                    && last[s] > TAPERED * within
+                    && last[s] > ROUNDED * next
+                    && !isArch
                     && Arrays.stream(areas).mapToInt(area -> area[number]).sum() >= LEAST_VOXELS) {
                 return false;
             }

@@ -202,7 +202,7 @@ final class LabelFolder {
             return new LabelVolume(grid, names, notes);
         }
         notes.add("masks of different extents were put together");
-        return LabelVolume.cropped(grid, names, notes);
+        return new LabelVolume(grid, names, notes).with(LabelVolume.Extent.LABELS);
     }
 
     /** Refuses files of which two segment the same structures, as those of two breaths do. */

@@ -19,10 +19,20 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param notes assumptions about missing information, one sentence each
  * @param file the file in a folder whose labels these are, with its numbers; empty for a file that is read by itself
  *     and for the masks of a folder
- * @param cropped whether the file leaves out slices, or masks the voxels, that hold no labels
+ * @param extent what is known of the box of the grid
  */
 public record LabelVolume(
-        LabelGrid grid, Map<Integer, String> names, List<String> notes, Optional<Path> file, boolean cropped) {
+        LabelGrid grid, Map<Integer, String> names, List<String> notes, Optional<Path> file, Extent extent) {
+    /** What a grid holds besides voxels with labels. */
+    public enum Extent {
+        /** The field of view, or what the file was cropped to. */
+        FIELD,
+        /** Slices without labels are left out. */
+        LABELLED_SLICES,
+        /** Voxels beyond the box of all structures are left out. */
+        LABELS
+    }
+
     private static final Pattern NUMBER = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
 
     /** A volume without names that has more labels is an image of whole numbers. */
@@ -39,29 +49,29 @@ public record LabelVolume(
 
     /** Creates a volume of a file that is read by itself, or of masks. */
     public LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
-        this(grid, names, notes, Optional.empty(), false);
+        this(grid, names, notes, Optional.empty(), Extent.FIELD);
     }
 
-    /** The labels of a file that leaves out slices, or of masks that leave out voxels, without any. */
-    static LabelVolume cropped(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
-        return new LabelVolume(grid, names, notes, Optional.empty(), true);
+    /** A copy of which more is known. */
+    LabelVolume with(Extent known) {
+        return new LabelVolume(grid, names, notes, file, known);
     }
 
     /** A copy with further notes before its own. */
     LabelVolume withNotesBefore(List<String> further) {
         List<String> all = new ArrayList<>(further);
         all.addAll(notes);
-        return new LabelVolume(grid, names, all, file, cropped);
+        return new LabelVolume(grid, names, all, file, extent);
     }
 
     /** A copy whose labels are those of a file in a folder. */
     LabelVolume in(Path found) {
-        return new LabelVolume(grid, names, notes, Optional.of(found), cropped);
+        return new LabelVolume(grid, names, notes, Optional.of(found), extent);
     }
 
     /** A copy with its voxels elsewhere. */
     public LabelVolume withGrid(LabelGrid moved) {
-        return new LabelVolume(moved, names, notes, file, cropped);
+        return new LabelVolume(moved, names, notes, file, extent);
     }
 
     /**
@@ -70,7 +80,7 @@ public record LabelVolume(
      * faces, else it stays as it is.
      */
     public LabelVolume withEmptyLayers() {
-        LabelGrid padded = EmptyLayers.beyond(grid, cropped);
+        LabelGrid padded = EmptyLayers.beyond(grid, extent);
         return padded == grid ? this : withGrid(padded);
     }
 

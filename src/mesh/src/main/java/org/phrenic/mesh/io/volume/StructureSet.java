@@ -97,9 +97,8 @@ final class StructureSet {
         }
         LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
         names.keySet().retainAll(filled);
-        return series.isPresent()
-                ? new LabelVolume(labels, LabelPainter.named(names), notes)
-                : LabelVolume.cropped(labels, LabelPainter.named(names), notes);
+        LabelVolume volume = new LabelVolume(labels, LabelPainter.named(names), notes);
+        return series.isPresent() ? volume : volume.with(LabelVolume.Extent.LABELS);
     }
 
     /** Tells of regions too small for a voxel, whose contours hold the middle of none. */

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.io.volume.LabelVolume.Extent;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /** Volumes that end with their structures. */
@@ -57,7 +58,7 @@ class EmptyLayersTest {
     void aVolumeThatIsCroppedToAStructureDoesNotEndAtIt() {
         for (int label : new int[] {1, 300}) {
             LabelGrid whole = ball(label);
-            LabelGrid padded = EmptyLayers.beyond(whole, false);
+            LabelGrid padded = EmptyLayers.beyond(whole, Extent.FIELD);
             assertThat(box(padded)).containsExactly(1, 1, 1, SIDE, SIDE, SIDE);
             assertThat(new int[] {padded.columns(), padded.rows(), padded.slices()})
                     .containsOnly(SIDE + 2);
@@ -82,7 +83,7 @@ class EmptyLayersTest {
                     from[direction] = 4;
                 }
                 LabelGrid cut = part(1, from, to, EmptyLayersTest::isInBall);
-                LabelGrid padded = EmptyLayers.beyond(cut, false);
+                LabelGrid padded = EmptyLayers.beyond(cut, Extent.FIELD);
                 int[] box = box(padded);
                 for (int other = 0; other < 3; other++) {
                     boolean cutBefore = other == direction && !last;
@@ -103,12 +104,12 @@ class EmptyLayersTest {
     @Test
     void structuresAtTwoFacesDoNotShowThatAVolumeIsCropped() {
         LabelGrid field = part(1, new int[] {-2, -2, 0}, new int[] {22, 22, SIDE}, EmptyLayersTest::isInBall);
-        assertThat(EmptyLayers.beyond(field, false)).isSameAs(field);
-        assertThat(EmptyLayers.beyond(field, true).slices())
+        assertThat(EmptyLayers.beyond(field, Extent.FIELD)).isSameAs(field);
+        assertThat(EmptyLayers.beyond(field, Extent.LABELS).slices())
                 .as("in a file that leaves out empty slices")
                 .isEqualTo(SIDE + 2);
         LabelGrid oneEnd = part(1, new int[] {-2, -2, 0}, new int[] {22, 22, 22}, EmptyLayersTest::isInBall);
-        assertThat(EmptyLayers.beyond(oneEnd, true))
+        assertThat(EmptyLayers.beyond(oneEnd, Extent.LABELS))
                 .as("it has an empty slice at the other end")
                 .isSameAs(oneEnd);
     }
@@ -120,7 +121,7 @@ class EmptyLayersTest {
         for (int v = 0; v < two.length; v++) {
             two[v] = (short) (v % SIDE > 13 && v / SIDE % SIDE > 13 ? 2 : one.label(v));
         }
-        LabelGrid padded = EmptyLayers.beyond(LabelGrid.of(SIDE, SIDE, SIDE, two, TO_MM), false);
+        LabelGrid padded = EmptyLayers.beyond(LabelGrid.of(SIDE, SIDE, SIDE, two, TO_MM), Extent.FIELD);
         assertThat(padded.slices())
                 .as("a column of another label from end to end")
                 .isEqualTo(SIDE);
@@ -137,9 +138,9 @@ class EmptyLayersTest {
         int[] from = {0, -60, 0};
         int end = box(part(1, from, new int[] {30, 80, SIDE}, arch))[3] + 1;
         LabelGrid cropped = part(1, from, new int[] {end, 80, SIDE}, arch);
-        assertThat(EmptyLayers.beyond(cropped, true).columns()).isEqualTo(cropped.columns() + 1);
+        assertThat(EmptyLayers.beyond(cropped, Extent.LABELS).columns()).isEqualTo(cropped.columns() + 1);
         LabelGrid cut = part(1, from, new int[] {end - 3, 80, SIDE}, arch);
-        assertThat(EmptyLayers.beyond(cut, true).columns())
+        assertThat(EmptyLayers.beyond(cut, Extent.LABELS).columns())
                 .as("3 voxels of it missing")
                 .isEqualTo(cut.columns());
     }
@@ -157,22 +158,48 @@ class EmptyLayersTest {
     }
 
     @Test
-    void aStructureEndsWithUpToThreeQuartersOfItsSectionInTheNextTwoLayers() {
-        assertThat(EmptyLayers.beyond(stack(75, 100, 80, 80, 80), true).slices())
-                .isEqualTo(6);
-        assertThat(EmptyLayers.beyond(stack(75, 80, 100, 80, 80), true).slices())
-                .isEqualTo(6);
-        assertThat(EmptyLayers.beyond(stack(76, 100, 100, 80, 80), true).slices())
-                .isEqualTo(5);
-        assertThat(EmptyLayers.beyond(stack(75, 80, 80, 100, 100), true).slices())
-                .isEqualTo(5);
+    void aStructureEndsWithUpToAHalfOfItsSectionInTheNextLayerAndAThinOneWithThreeQuarters() {
+        for (int[] thin : new int[][] {{75, 100, 80, 80}, {75, 80, 100, 80}, {55, 100, 80, 80}}) {
+            assertThat(slices(stack(thin))).isEqualTo(5);
+        }
+        for (int[] cut : new int[][] {{76, 100, 100, 80}, {75, 80, 80, 100}, {100, 100, 80, 80}}) {
+            assertThat(slices(stack(cut))).isEqualTo(4);
+        }
+        // 200 voxels of 6 mm^2 are not thin.
+        assertThat(slices(stack(110, 200, 180, 180))).isEqualTo(5);
+        assertThat(slices(stack(111, 200, 180, 180))).isEqualTo(4);
+        assertThat(slices(stack(111, 150, 220, 180))).isEqualTo(4);
     }
 
-    /** 25 voxels of 6 mm^2. */
+    private static int slices(LabelGrid grid) {
+        return EmptyLayers.beyond(grid, Extent.LABELLED_SLICES).slices();
+    }
+
+    /** Voxels of 6 mm^2 along slices, 9 along rows. */
     @Test
     void aTipOfOneAndAHalfSquareCentimetresEndsAStructure() {
-        assertThat(EmptyLayers.beyond(stack(25, 25, 25, 90, 90), true).slices()).isEqualTo(6);
-        assertThat(EmptyLayers.beyond(stack(26, 26, 26, 90, 90), true).slices()).isEqualTo(5);
+        assertThat(slices(stack(25, 25, 25, 90, 90))).isEqualTo(6);
+        assertThat(slices(stack(26, 26, 26, 90, 90))).isEqualTo(5);
+        for (int voxels : new int[] {16, 17}) {
+            byte[] labels = new byte[SIDE * SIDE * 3];
+            for (int v = 0; v < labels.length; v++) {
+                int column = v % SIDE;
+                boolean rod = v / (SIDE * SIDE) == 1 && column > 0 && column <= voxels;
+                labels[v] = (byte) (rod ? 1 : 0);
+            }
+            LabelGrid along = LabelGrid.of(SIDE, SIDE, 3, labels, TO_MM);
+            assertThat(EmptyLayers.beyond(along, Extent.LABELS).rows()).isEqualTo(voxels == 16 ? SIDE + 2 : SIDE);
+        }
+    }
+
+    /** What leaves out slices has the columns and rows of the field of view. */
+    @Test
+    void onlyInDirectionsThatLeaveOutLayersDoesAVolumeEndWithItsStructures() {
+        LabelGrid ofField = part(1, new int[] {0, 0, -1}, new int[] {SIDE, SIDE, 21}, EmptyLayersTest::isInBall);
+        assertThat(EmptyLayers.beyond(ofField, Extent.LABELLED_SLICES)).isSameAs(ofField);
+        LabelGrid masks = EmptyLayers.beyond(ofField, Extent.LABELS);
+        assertThat(new int[] {masks.columns(), masks.rows(), masks.slices()})
+                .containsExactly(SIDE + 2, SIDE + 2, SIDE + 2);
     }
 
     @Test
@@ -186,7 +213,7 @@ class EmptyLayersTest {
             }
             Arrays.fill(labels, 15 * SIDE, 15 * SIDE + speck, (byte) 2);
             LabelGrid grid = LabelGrid.of(SIDE, SIDE, 3, labels, TO_MM);
-            assertThat(EmptyLayers.beyond(grid, true).slices()).isEqualTo(speck == 29 ? 5 : 4);
+            assertThat(EmptyLayers.beyond(grid, Extent.LABELS).slices()).isEqualTo(speck == 29 ? 5 : 4);
         }
     }
 
@@ -199,10 +226,10 @@ class EmptyLayersTest {
 
     @Test
     void facesThatNothingTouchesStayAsTheyAre() {
-        LabelGrid padded = EmptyLayers.beyond(ball(1), false);
-        assertThat(EmptyLayers.beyond(padded, true)).isSameAs(padded);
+        LabelGrid padded = EmptyLayers.beyond(ball(1), Extent.FIELD);
+        assertThat(EmptyLayers.beyond(padded, Extent.LABELS)).isSameAs(padded);
         LabelGrid empty = LabelGrid.of(SIDE, SIDE, SIDE, new byte[SIDE * SIDE * SIDE], TO_MM);
-        assertThat(EmptyLayers.beyond(empty, true)).isSameAs(empty);
+        assertThat(EmptyLayers.beyond(empty, Extent.LABELS)).isSameAs(empty);
         LabelVolume volume = new LabelVolume(ball(1), Map.of(1, "liver"), List.of("a note"));
         LabelVolume whole = volume.withEmptyLayers();
         assertThat(Arrays.equals(box(whole.grid()), box(padded))).isTrue();

@@ -221,6 +221,7 @@ class LabelFolderTest {
         }
         assertThat(grid.counts()[indexOf(volume, "kidney_left")]).isEqualTo(3);
         assertThat(volume.notes()).contains("masks of different extents were put together");
+        assertThat(volume.withGrid(grid).extent()).isEqualTo(LabelVolume.Extent.LABELS);
     }
 
     /** A mask of ones that is cropped to a box of voxels of the lattice. */

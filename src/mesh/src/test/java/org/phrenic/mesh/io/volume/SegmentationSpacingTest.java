@@ -21,11 +21,15 @@ class SegmentationSpacingTest {
 
     /** A liver of four pixels of 2 x 2 mm in each of these planes. */
     private LabelVolume read(byte[] measures, double... heights) {
+        return readWithEmpty(0, measures, heights);
+    }
+
+    private LabelVolume readWithEmpty(int empty, byte[] measures, double... heights) {
         byte[][] frames = Arrays.stream(heights)
                 .mapToObj(height -> DicomSamples.frame(1, height))
                 .toArray(byte[][]::new);
-        int[] pixels = IntStream.generate(() -> 1)
-                .limit((long) heights.length * DicomSamples.COLUMNS)
+        int[] pixels = IntStream.range(0, heights.length * DicomSamples.COLUMNS)
+                .map(i -> i < (heights.length - empty) * DicomSamples.COLUMNS ? 1 : 0)
                 .toArray();
         byte[] file = DicomSamples.segmentation("BINARY", 1, measures, frames, pixels);
         return LabelVolumeFiles.read(VolumeSamples.write(folder, "planes.dcm", file));
@@ -106,6 +110,14 @@ class SegmentationSpacingTest {
         assertFilled(apart, 1, 2);
         assertThat(apart.grid().slices()).isEqualTo(51);
         assertFilled(read(between("1"), planes(1, 0, 2, 5, 9, 12)), 1, 5);
+    }
+
+    /** A file with an empty frame holds the slices of the scan, one without leaves out those without labels. */
+    @Test
+    void emptyFramesShowThatNoSliceIsLeftOut() {
+        double[] heights = planes(5, 0, 1, 2, 3);
+        assertThat(read(between("5"), heights).extent()).isEqualTo(LabelVolume.Extent.LABELLED_SLICES);
+        assertThat(readWithEmpty(1, between("5"), heights).extent()).isEqualTo(LabelVolume.Extent.FIELD);
     }
 
     @Test

@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.util.Arrays;
 import java.util.Comparator;
@@ -13,11 +13,11 @@ import java.util.stream.IntStream;
  * @param high the last one, mm
  * @param steps their number less one
  */
-record EvenLines(double low, double high, double steps) {
+public record EvenLines(double low, double high, double steps) {
     /** Numbers that differ by less are one, mm. */
-    static final double ROUNDING = 0.02;
+    public static final double ROUNDING = 0.02;
     /** Greatest share of contours that are no outlines among those of masks. */
-    static final double MAX_DRAWN = 0.05;
+    public static final double MAX_DRAWN = 0.05;
 
     /** Pixels of masks, mm, and the least number of lines on which corners lie. */
     private static final double MIN_PIXEL = 0.3;
@@ -29,7 +29,7 @@ record EvenLines(double low, double high, double steps) {
     private static final double NEAR = 0.125;
 
     /** The lines on which nearly all of these lists of sorted numbers lie; empty if there are none. */
-    static Optional<EvenLines> ofMost(List<double[]> all) {
+    public static Optional<EvenLines> ofMost(List<double[]> all) {
         double[] least = all.stream()
                 .map(EvenLines::gaps)
                 .filter(gaps -> gaps.length > 0)
@@ -76,11 +76,13 @@ record EvenLines(double low, double high, double steps) {
         return steps > 0 && lines.hold(sorted, ROUNDING) ? Optional.of(lines) : Optional.empty();
     }
 
-    double distance() {
+    /** Distance of two lines, mm. */
+    public double distance() {
         return (high - low) / steps;
     }
 
-    double index(double at) {
+    /** Number of lines from the first one; whole on a line. */
+    public double index(double at) {
         double index = (at - low) / distance();
         return Math.abs(index - Math.rint(index)) * distance() <= ROUNDING ? Math.rint(index) : index;
     }
