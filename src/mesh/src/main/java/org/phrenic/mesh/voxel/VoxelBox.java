@@ -80,6 +80,18 @@ public record VoxelBox(int[] size, double[] toMm) {
         }
     }
 
+    /** Affine matrix of the grid of another that begins at one of its voxels, or so many voxels before it. */
+    public static double[] beginningAt(double[] toMm, int i, int j, int k) {
+        double[] shifted = toMm.clone();
+        int[] first = {i, j, k};
+        for (int row = 0; row < 3; row++) {
+            for (int direction = 0; direction < 3; direction++) {
+                shifted[4 * row + 3] += first[direction] * toMm[4 * row + direction];
+            }
+        }
+        return shifted;
+    }
+
     /** Spacing of voxel centres along a grid direction (0 columns, 1 rows, 2 slices), mm. */
     public double spacing(int direction) {
         return spacing(toMm, direction);

@@ -23,8 +23,6 @@ import org.phrenic.file.ScalarType;
  * consecutive numbers of {@code TransformMatrix} are the direction of one grid axis.
  */
 final class MetaImageReader {
-    private static final int GZIP_MAGIC = 0x1f8b;
-
     private final VolumeSource source;
     private final Path path;
     private final String file;
@@ -89,10 +87,7 @@ final class MetaImageReader {
 
     /** MetaIO takes gzip as well as zlib. */
     private static InputStream unpacked(InputStream in) throws IOException {
-        in.mark(2);
-        boolean isGzip = (in.read() << 8 | in.read()) == GZIP_MAGIC;
-        in.reset();
-        return isGzip
+        return VolumeFormats.isGzip(in)
                 ? new GZIPInputStream(in, 1 << 16)
                 : new InflaterInputStream(in, new java.util.zip.Inflater(), 1 << 16);
     }

@@ -26,7 +26,6 @@ import org.phrenic.mesh.io.VtpWriter;
  * of the Human Connectome Project and TotalSegmentator.
  */
 final class NiftiReader {
-    private static final int GZIP_MAGIC = 0x1f8b;
     /** Greatest number of extension bytes that are searched for names. */
     private static final int MAX_EXTENSION = 1 << 24;
     /** Codes of datatypes of several values: complex numbers and colours. */
@@ -46,9 +45,7 @@ final class NiftiReader {
 
     static <T> T read(VolumeSource source, BufferedInputStream raw, StoredVolume.Use<T> use) throws IOException {
         Path path = source.path();
-        raw.mark(2);
-        boolean packed = (raw.read() << 8 | raw.read()) == GZIP_MAGIC;
-        raw.reset();
+        boolean packed = VolumeFormats.isGzip(raw);
         try (InputStream in = packed ? new GZIPInputStream(raw, 1 << 16) : raw) {
             return use.of(opened(source, in, InputBytes.size(path), packed));
         }

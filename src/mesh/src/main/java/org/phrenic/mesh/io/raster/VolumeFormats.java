@@ -3,6 +3,7 @@ package org.phrenic.mesh.io.raster;
 import java.io.BufferedInputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,6 +15,7 @@ import org.phrenic.file.InputBytes;
 
 /** The formats of volume files, by extension in upper or lower case. */
 public final class VolumeFormats {
+    private static final int GZIP_MAGIC = 0x1f8b;
     /** Extensions of the formats that can be read. */
     public static final List<String> READABLE = List.of("nii", "nii.gz", "nrrd", "nhdr", "mha", "mhd");
 
@@ -74,5 +76,13 @@ public final class VolumeFormats {
 
     private static String name(Path file) {
         return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether the next bytes are those of a gzip stream; they are not consumed. */
+    static boolean isGzip(InputStream in) throws IOException {
+        in.mark(2);
+        boolean is = (in.read() << 8 | in.read()) == GZIP_MAGIC;
+        in.reset();
+        return is;
     }
 }

@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.io.raster.VoxelDecoder;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.mesh.voxel.VoxelBox;
 
 /**
  * Empty layers beyond the faces of a volume that ends with its structures, as one that is cropped to them or that
@@ -146,12 +147,7 @@ final class EmptyLayers {
     }
 
     private LabelGrid padded(int[] before, int[] size) {
-        double[] toMm = grid.toMm();
-        for (int row = 0; row < 3; row++) {
-            for (int direction = 0; direction < 3; direction++) {
-                toMm[4 * row + 3] -= before[direction] * toMm[4 * row + direction];
-            }
-        }
+        double[] toMm = VoxelBox.beginningAt(grid.toMm(), -before[0], -before[1], -before[2]);
         int voxels = size[0] * size[1] * size[2];
         int[] counts = grid.counts();
         boolean wide =

@@ -3,6 +3,7 @@ package org.phrenic.mesh.io.volume;
 import java.util.List;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.mesh.voxel.VoxelBox;
 
 /**
  * The grid that holds several volumes whose voxels are on one lattice. Volumes of the same extent keep their grid; of
@@ -95,12 +96,6 @@ final class LabelLattice {
 
     /** The affine matrix of this grid, see {@link LabelGrid}. */
     double[] toMm() {
-        double[] toMm = first.toMm().clone();
-        for (int row = 0; row < 3; row++) {
-            for (int axis = 0; axis < 3; axis++) {
-                toMm[4 * row + 3] += from[axis] * toMm[4 * row + axis];
-            }
-        }
-        return toMm;
+        return VoxelBox.beginningAt(first.toMm(), from[0], from[1], from[2]);
     }
 }
