@@ -1,8 +1,10 @@
 package org.phrenic.patient.registration;
 
 import java.util.stream.IntStream;
+import org.ejml.EjmlParameters;
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.dense.row.decomposition.chol.CholeskyDecompositionBlock_DDRM;
+import org.ejml.dense.row.linsol.chol.LinearSolverChol_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
@@ -89,7 +91,8 @@ final class SmoothField implements PointTransform {
                 right.unsafe_set(i, c, displacements[3 * i + first + c]);
             }
         }
-        LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.symmPosDef(n);
+        LinearSolverDense<DMatrixRMaj> solver =
+                new LinearSolverChol_DDRM(new CholeskyDecompositionBlock_DDRM(EjmlParameters.BLOCK_WIDTH_CHOL));
         if (!solver.setA(k)) {
             throw new IllegalStateException("correspondences of " + n + " points: no smooth field through them");
         }
