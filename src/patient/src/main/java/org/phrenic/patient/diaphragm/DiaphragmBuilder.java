@@ -3,6 +3,9 @@ package org.phrenic.patient.diaphragm;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -14,7 +17,6 @@ import org.phrenic.anatomy.virtual.shape.RingMesh;
 import org.phrenic.anatomy.virtual.shape.RootFinder;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.TwoFacedSheet;
-import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshMerge;
@@ -35,13 +37,16 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     public static final double CLEARANCE_MM = 1;
 
     /**
-     * Smoothing lengths of the roof, mm, and for each the depths of its pivot, taken in turn until the sheet neither
-     * passes through itself nor has slivers. From a deeper pivot, rays pass by a spur of a lung that would hide the
-     * base beyond it.
+     * Smoothing lengths of the roof, mm, and for each the depths of its pivot, taken in turn until the sheet does not
+     * pass through itself, has no slivers and keeps to the wall. From a deeper pivot, rays pass by a spur of a lung
+     * that would hide the base beyond it.
      */
     private static final double[] SMOOTHING_MM = {5, 7, 10, 14, 20, 28, 40};
 
     private static final double[] PIVOT_DEPTHS = {0.7, 0.9};
+
+    /** Smoothing length up to which sheets that leave the wall are compared, mm; a smoother roof cuts into organs. */
+    private static final double COMPARED_MM = 10;
 
     private static final double TURN_MM = 4;
     private static final double DENSE_MM = 3;
@@ -103,23 +108,54 @@ public final class DiaphragmBuilder implements ImplicitSurface {
 
     /** The same inside a known envelope. */
     static TriangleMesh build(Thorax body, CageEnvelope cage, Optional<Side> parted, int vertices) {
-        Optional<TriangleMesh> withSlivers = Optional.empty();
+        return choose(
+                        shape -> new DiaphragmBuilder(body, cage, shape).sheet(vertices),
+                        parted,
+                        sheet -> SheetQuality.liesOnWall(body, cage, sheet),
+                        sheet -> SheetQuality.of(body, cage, sheet).excess())
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "between the lungs and the organs below, its sheet would pass through itself"));
+    }
+
+    /**
+     * The first sheet that lies on the wall, of those that do not pass through themselves; if none of the first does,
+     * the one of them of least excess, or else the first that there is.
+     *
+     * @param build builds the sheet of a roof
+     * @param liesOnWall whether a sheet keeps to the wall and has no slivers
+     * @param excess what the measures of a sheet are beyond their limits
+     */
+    static Optional<TriangleMesh> choose(
+            Function<DomeSurface.Shape, TriangleMesh> build,
+            Optional<Side> parted,
+            Predicate<TriangleMesh> liesOnWall,
+            ToDoubleFunction<TriangleMesh> excess) {
+        Optional<TriangleMesh> best = Optional.empty();
+        double least = Double.POSITIVE_INFINITY;
         for (double smoothing : SMOOTHING_MM) {
+            if (best.isPresent() && smoothing > COMPARED_MM) {
+                break;
+            }
             for (double depth : PIVOT_DEPTHS) {
-                DomeSurface.Shape shape = new DomeSurface.Shape(smoothing, depth, parted);
-                TriangleMesh dense = new DiaphragmBuilder(body, cage, shape).middleSurface();
-                TriangleMesh sheet = TwoFacedSheet.of(Remesher.toVertexCount(dense, vertices / 2), THICKNESS_MM);
+                TriangleMesh sheet = build.apply(new DomeSurface.Shape(smoothing, depth, parted));
                 if (SelfIntersections.count(sheet) > 0) {
                     continue;
                 }
-                if (MeshQuality.of(sheet).smallestAngleDeg() >= SheetQuality.LEAST_ANGLE_DEG) {
-                    return sheet;
+                if (liesOnWall.test(sheet)) {
+                    return Optional.of(sheet);
                 }
-                withSlivers = withSlivers.or(() -> Optional.of(sheet));
+                double beyond = excess.applyAsDouble(sheet);
+                if (beyond < least) {
+                    best = Optional.of(sheet);
+                    least = beyond;
+                }
             }
         }
-        return withSlivers.orElseThrow(() -> new IllegalArgumentException(
-                "between the lungs and the organs below, its sheet would pass through itself"));
+        return best;
+    }
+
+    private TriangleMesh sheet(int vertices) {
+        return TwoFacedSheet.of(Remesher.toVertexCount(middleSurface(), vertices / 2), THICKNESS_MM);
     }
 
     /** The roof of the diaphragm as it is tried first. */

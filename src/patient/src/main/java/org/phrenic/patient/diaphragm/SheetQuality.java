@@ -99,6 +99,28 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
         return new Measuring(body, Diaphragm.sheetAmong(shells).orElse(shells), cage).result();
     }
 
+    /** Measures a sheet in place of that of a body whose envelope is known. */
+    static SheetQuality of(Thorax body, CageEnvelope cage, TriangleMesh sheet) {
+        return new Measuring(body, sheet, cage).result();
+    }
+
+    /**
+     * Whether a sheet keeps the limits of its smallest angle, its insertion and its apposition. What it does not tell:
+     * the cage, inside which a sheet is built, and organs, which yield to it.
+     */
+    static boolean liesOnWall(Thorax body, CageEnvelope cage, TriangleMesh sheet) {
+        return MeshQuality.of(sheet).smallestAngleDeg() >= LEAST_ANGLE_DEG
+                && new Measuring(body, sheet, cage).ofWall().stream().allMatch(Measure::isGood);
+    }
+
+    /** Sum of what measures are beyond their limits, relative to these; that of a limit of 0 does not count. */
+    double excess() {
+        return measures.stream()
+                .filter(m -> !m.isGood() && m.limit() > 0)
+                .mapToDouble(m -> (m.atMost() ? m.value() / m.limit() : m.limit() / Math.max(m.value(), 1e-3)) - 1)
+                .sum();
+    }
+
     /** One sentence for the measures beyond their limits; empty if all are good. */
     public Optional<String> warning() {
         String bad = measures.stream()
@@ -143,17 +165,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             add("outside_cage_maximum_mm", "outside the cage, greatest", greatest(outside), "mm", 3);
             add("outside_cage_percentile_95_mm", "outside the cage, 95 %", percentile95(outside), "mm", 2);
             add("outside_cage_share_percent", "vertices more than 3 mm outside", share, "%", 0);
-            double[] insertion = insertionDistances();
-            add("insertion_to_margin_mean_mm", "insertion to the costal margin, mean", mean(insertion), "mm", 5);
-            add(
-                    "insertion_to_margin_percentile_95_mm",
-                    "insertion to the costal margin, 95 %",
-                    percentile95(insertion),
-                    "mm",
-                    8);
-            double[] apposed = apposedDistances();
-            add("apposed_to_wall_mean_mm", "apposed part to the wall, mean", mean(apposed), "mm", 5);
-            add("apposed_to_wall_percentile_95_mm", "apposed part to the wall, 95 %", percentile95(apposed), "mm", 10);
+            ofWall();
             double through = addOrgans();
             MeshQuality quality = MeshQuality.of(sheet);
             add("self_intersections", "self-intersections", SelfIntersections.count(sheet), "", 0);
@@ -173,6 +185,22 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     false));
             add("edge_ratio", "longest over shortest edge", quality.edgeRatio(), "", 10);
             return new SheetQuality(measures, refusal(share, greatest(outside), through));
+        }
+
+        /** Adds the measures of insertion and apposition; returns the measures so far. */
+        List<Measure> ofWall() {
+            double[] insertion = insertionDistances();
+            add("insertion_to_margin_mean_mm", "insertion to the costal margin, mean", mean(insertion), "mm", 5);
+            add(
+                    "insertion_to_margin_percentile_95_mm",
+                    "insertion to the costal margin, 95 %",
+                    percentile95(insertion),
+                    "mm",
+                    8);
+            double[] apposed = apposedDistances();
+            add("apposed_to_wall_mean_mm", "apposed part to the wall, mean", mean(apposed), "mm", 5);
+            add("apposed_to_wall_percentile_95_mm", "apposed part to the wall, 95 %", percentile95(apposed), "mm", 10);
+            return measures;
         }
 
         private void add(String key, String what, double value, String unit, double limit) {

@@ -2,11 +2,14 @@ package org.phrenic.patient.diaphragm;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -185,6 +188,74 @@ class DiaphragmBuilderTest {
                 List.of());
         assertThat(SelfIntersections.count(DiaphragmBuilder.build(spurred, 4000)))
                 .isZero();
+    }
+
+    /** The x of the first vertex of the sheet that is chosen, where it is the number of the try; NaN without one. */
+    private static double chosen(IntPredicate isCrossed, IntPredicate liesOnWall, IntToDoubleFunction excess) {
+        int[] tries = {0};
+        return DiaphragmBuilder.choose(
+                        shape -> {
+                            double x = ++tries[0];
+                            // A triangle, and one that passes through it or lies beside it.
+                            double beside = isCrossed.test(tries[0]) ? 0 : 50;
+                            return new TriangleMesh(
+                                    new double[] {
+                                        x,
+                                        0,
+                                        0,
+                                        x + 20,
+                                        0,
+                                        0,
+                                        x,
+                                        20,
+                                        0,
+                                        x + 5 + beside,
+                                        5,
+                                        -5,
+                                        x + 5 + beside,
+                                        5,
+                                        5,
+                                        x + 9 + beside,
+                                        9,
+                                        0
+                                    },
+                                    new int[] {0, 1, 2, 3, 4, 5});
+                        },
+                        Optional.empty(),
+                        sheet -> liesOnWall.test((int) sheet.x(0)),
+                        sheet -> excess.applyAsDouble((int) sheet.x(0)))
+                .map(sheet -> sheet.x(0))
+                .orElse(Double.NaN);
+    }
+
+    @Test
+    void theSheetIsTheFirstOnTheWallElseTheOneThatLeavesItLeastOfTheLittleSmoothed() {
+        assertThat(chosen(k -> k == 1, k -> k >= 1, k -> 0)).isEqualTo(2);
+        assertThat(chosen(k -> false, k -> k == 4, k -> 1)).isEqualTo(4);
+        // Two pivots of the smoothing lengths 5, 7 and 10 mm are compared, and no later ones.
+        assertThat(chosen(k -> false, k -> k >= 7, k -> Math.abs(k - 6.1))).isEqualTo(6);
+        assertThat(chosen(k -> false, k -> false, k -> k == 3 ? 0.2 : 0.3)).isEqualTo(3);
+        assertThat(chosen(k -> k < 9, k -> false, k -> 1)).isEqualTo(9);
+        assertThat(chosen(k -> true, k -> true, k -> 0)).isNaN();
+    }
+
+    @Test
+    void theExcessOfASheetIsThatOfItsMeasuresBeyondTheirLimits() {
+        Structure out = new Structure("diaphragm", StructureKind.DIAPHRAGM, 0, Side.MIDLINE, BUILT);
+        assertThat(SheetQuality.liesOnWall(FEMALE, CAGE, BUILT)).isTrue();
+        assertThat(SheetQuality.of(FEMALE, CAGE, BUILT).excess()).isZero();
+        double[] lower = BUILT.positions().clone();
+        for (int i = 2; i < lower.length; i += 3) {
+            lower[i] -= 20;
+        }
+        TriangleMesh moved = out.mesh().withPositions(lower);
+        assertThat(SheetQuality.liesOnWall(FEMALE, CAGE, moved)).isFalse();
+        SheetQuality quality = SheetQuality.of(FEMALE, CAGE, moved);
+        double expected = 0;
+        for (SheetQuality.Measure m : quality.measures()) {
+            expected += m.atMost() && m.limit() > 0 ? Math.max(0, m.value() / m.limit() - 1) : 0;
+        }
+        assertThat(quality.excess()).isEqualTo(expected, within(1e-9)).isGreaterThan(1);
     }
 
     @Test
