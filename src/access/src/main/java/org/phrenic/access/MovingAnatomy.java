@@ -28,7 +28,8 @@ public final class MovingAnatomy {
 
     /**
      * @param surfaces surfaces of a scene, in the order of its frames
-     * @throws BadInputException if skin or liver is missing, or the liver or the lungs do not move
+     * @throws BadInputException if skin or liver is missing, several skins are about the liver or none is, or the liver
+     *     or the lungs do not move
      */
     public MovingAnatomy(List<Surface> surfaces) {
         List<MovingStructure> all = new ArrayList<>();
@@ -39,8 +40,8 @@ public final class MovingAnatomy {
                 .filter(s -> s.surface().kind() == StructureKind.RIB)
                 .map(CostalGroove::new)
                 .toList();
-        skin = require(StructureKind.SKIN, "skin");
-        liver = require(StructureKind.LIVER, "liver");
+        skin = require(TrunkSkin.of(surfaces).map(s -> structures.get(surfaces.indexOf(s))), "skin");
+        liver = require(find(StructureKind.LIVER), "liver");
         requireMotion(
                 StructureKind.LIVER,
                 "a liver that stands still (liver: false), expected one that moves with the breath (liver: true, in the"
@@ -56,10 +57,9 @@ public final class MovingAnatomy {
         pleura = diaphragm.map(d -> new PleuralReflection(d.surface().rest()));
     }
 
-    private MovingStructure require(StructureKind kind, String name) {
-        return find(kind)
-                .orElseThrow(() -> new BadInputException(
-                        "the body: found no " + name + ", expected one to rehearse liver access on"));
+    private static MovingStructure require(Optional<MovingStructure> found, String name) {
+        return found.orElseThrow(() ->
+                new BadInputException("the body: found no " + name + ", expected one to rehearse liver access on"));
     }
 
     private void requireMotion(StructureKind kind, String problem) {
@@ -110,6 +110,7 @@ public final class MovingAnatomy {
         return grooves;
     }
 
+    /** The skin about the liver. */
     public MovingStructure skin() {
         return skin;
     }

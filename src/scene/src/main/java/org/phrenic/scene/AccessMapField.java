@@ -2,6 +2,7 @@ package org.phrenic.scene;
 
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.access.TrunkSkin;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.gl.Renderer;
@@ -10,7 +11,6 @@ import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourMap;
 import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.style.StructureSelection;
 import org.phrenic.simulation.observe.Surface;
 
 /**
@@ -25,7 +25,7 @@ public final class AccessMapField {
     /** @param surfaces surfaces of the scene for which the map is computed */
     public AccessMapField(List<Surface> surfaces, AccessMap map) {
         this.surfaces = List.copyOf(surfaces);
-        skin = StructureSelection.first(surfaces, StructureKind.SKIN).name();
+        skin = TrunkSkin.of(surfaces).orElseThrow().name();
         freePercent = map.freePercent();
     }
 

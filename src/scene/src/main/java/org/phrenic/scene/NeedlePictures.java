@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.joml.Vector3d;
+import org.phrenic.access.TrunkSkin;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.anatomy.StructureKind;
@@ -25,7 +26,6 @@ import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.style.StructureSelection;
 import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.scene.style.Transparency;
 import org.phrenic.scene.surface.Markers;
@@ -146,7 +146,7 @@ public final class NeedlePictures implements AutoCloseable {
      */
     public void writeAccessMap(
             Path folder, AccessMap map, String title, Consumer<String> written, Consumer<OutputException> unwritten) {
-        Surface skin = StructureSelection.first(body, StructureKind.SKIN);
+        Surface skin = TrunkSkin.of(body).orElseThrow();
         Appearance opaque = SurfaceMaterial.of(StructureKind.SKIN).appearance().withOpacity(1);
         SceneStyle style = SceneStyle.atlas(body)
                 .withAppearances(Map.of(skin.name(), opaque))

@@ -35,7 +35,6 @@ final class LineWalk {
     private final EchoField field;
     private final SpeckleField speckle = new SpeckleField();
     private final int[] inside;
-    private final int skin;
     private boolean entered;
     private int line;
     private int level;
@@ -61,11 +60,6 @@ final class LineWalk {
         axes = new double[][] {pose.lateral(), pose.axial(), pose.elevation()};
         face = pose.face();
         inside = new int[surfaces.size()];
-        int found = -1;
-        for (SonatedSurface s : surfaces) {
-            found = s.surface.kind() == StructureKind.SKIN ? s.index : found;
-        }
-        skin = found;
     }
 
     /** Computes the echoes of a line from its crossings at all levels. */
@@ -131,7 +125,7 @@ final class LineWalk {
         if (code != 0) {
             int surface = Math.abs(code) - 1;
             inside[surface] += Integer.signum(code);
-            entered |= surface == skin && code > 0;
+            entered |= code > 0 && surfaces.get(surface).surface.kind() == StructureKind.SKIN;
         }
     }
 

@@ -44,7 +44,7 @@ public enum LiverWindow {
      * @throws BadInputException if the body lacks what the place is found from
      */
     public double[] placeOn(List<Surface> surfaces) {
-        Surface skin = surfaces.get(ScannedSkin.indexOfSkin(surfaces));
+        Surface skin = ScannedSkin.of(surfaces);
         double[] liver = bounds(surfaces, "liver", s -> s.kind() == StructureKind.LIVER);
         double[] middle = {0.5 * (liver[0] + liver[3]), 0.5 * (liver[1] + liver[4]), 0.5 * (liver[2] + liver[5])};
         TriangleTree tree = new TriangleTree(skin.rest());

@@ -1,7 +1,7 @@
 package org.phrenic.access.ultrasound;
 
 import java.util.List;
-import org.phrenic.anatomy.StructureKind;
+import org.phrenic.access.TrunkSkin;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
@@ -10,7 +10,9 @@ import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.simulation.observe.Surface;
 
-/** The skin of a body, on which places for a probe are found at end-expiration. Its tree is built once. */
+/**
+ * The skin about the liver of a body, on which places for a probe are found at end-expiration. Its tree is built once.
+ */
 public final class ScannedSkin {
     private static final double TOLERANCE_MM = 5;
     /** Steps over the curved skin into the plane of a tilted probe. */
@@ -23,22 +25,18 @@ public final class ScannedSkin {
 
     /**
      * @param surfaces surfaces of a scene, in the order of its frames
-     * @throws BadInputException if the body has no skin
+     * @throws BadInputException if the body has no skin, or several of which none or more than one is about the liver
      */
     public ScannedSkin(List<Surface> surfaces) {
-        index = indexOfSkin(surfaces);
-        surface = surfaces.get(index);
+        surface = of(surfaces);
+        index = surfaces.indexOf(surface);
         tree = new TriangleTree(surface.rest());
         outward = Math.signum(MeshMeasure.signedVolume(surface.rest()));
     }
 
-    static int indexOfSkin(List<Surface> surfaces) {
-        for (int i = 0; i < surfaces.size(); i++) {
-            if (surfaces.get(i).kind() == StructureKind.SKIN) {
-                return i;
-            }
-        }
-        throw new BadInputException("the body: found no skin, expected one to put a probe on");
+    static Surface of(List<Surface> surfaces) {
+        return TrunkSkin.of(surfaces)
+                .orElseThrow(() -> new BadInputException("the body: found no skin, expected one to put a probe on"));
     }
 
     TriangleMesh rest() {

@@ -160,6 +160,16 @@ class UltrasoundTest {
         assertThat(image.intensity(MIDDLE, 90)).isLessThan(again);
     }
 
+    /** Behind any part of the skin there is gas, as behind the only one. */
+    @Test
+    void aFurtherSkinBesideTheImageLeavesItAsItIs() {
+        SonatedScene scene = new SonatedScene().with("skin_arm_R", StructureKind.SKIN, -10, 30);
+        BModeImage alone = scene.image();
+        scene.with("skin_torso", StructureKind.SKIN, 500, 600);
+        assertThat(scene.image().grey()).isEqualTo(alone.grey());
+        assertThat(alone.intensity(MIDDLE, 30)).isGreaterThan(100 * alone.intensity(MIDDLE, 25));
+    }
+
     /** A hole leaves an organ its inside; half a sphere has none. */
     @Test
     void surfacesWithHolesAreSeenAndOpenOnesAreNamed() {

@@ -7,8 +7,8 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.NoGoZone;
+import org.phrenic.access.TrunkSkin;
 import org.phrenic.access.path.AccessMap;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
@@ -75,10 +75,7 @@ public record WayCheck(int ways, int crossing, Map<String, Integer> crossed, int
     }
 
     private static int skinOf(List<Surface> surfaces) {
-        return IntStream.range(0, surfaces.size())
-                .filter(i -> surfaces.get(i).kind() == StructureKind.SKIN)
-                .findFirst()
-                .orElseThrow();
+        return surfaces.indexOf(TrunkSkin.of(surfaces).orElseThrow());
     }
 
     private static double[] positions(List<Surface> surfaces, int index, BreathMoment moment) {
