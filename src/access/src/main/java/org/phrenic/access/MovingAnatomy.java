@@ -1,8 +1,11 @@
 package org.phrenic.access;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.simulation.observe.Frame;
@@ -22,8 +25,10 @@ public final class MovingAnatomy {
     private final MovingStructure skin;
     private final MovingStructure liver;
     private final Optional<MovingStructure> diaphragm;
-    private final Optional<PleuralReflection> pleura;
+    private final Optional<PleuralReflection> reflection;
     private final List<MovingStructure> pleurae;
+    private final Set<Side> sidesWithoutPleura = EnumSet.of(Side.RIGHT, Side.LEFT);
+    private final double midlineX;
     private double timeS;
 
     /**
@@ -54,7 +59,12 @@ public final class MovingAnatomy {
         pleurae = structures.stream()
                 .filter(s -> s.surface().kind() == StructureKind.PLEURA)
                 .toList();
-        pleura = diaphragm.map(d -> new PleuralReflection(d.surface().rest()));
+        pleurae.forEach(p -> sidesWithoutPleura.removeIf(
+                side -> p.surface().side() == side || p.surface().side() == Side.MIDLINE));
+        reflection = diaphragm
+                .filter(d -> !sidesWithoutPleura.isEmpty())
+                .map(d -> new PleuralReflection(d.surface().rest()));
+        midlineX = Midline.x(surfaces, s -> s, s -> s.rest().bounds());
     }
 
     private static MovingStructure require(Optional<MovingStructure> found, String name) {
@@ -124,13 +134,22 @@ public final class MovingAnatomy {
         return diaphragm;
     }
 
-    /** The surfaces of the parietal pleura; empty if the body has none, and then its reflection is a rule. */
+    /** The surfaces of the parietal pleura; on a side without one its reflection is a rule. */
     public List<MovingStructure> pleurae() {
         return pleurae;
     }
 
-    /** The pleural reflection on the diaphragm, or empty if the body has no diaphragm. */
-    public Optional<PleuralReflection> pleura() {
-        return pleura;
+    /** Whether a side of the body has a diaphragm and no surface of the pleura. */
+    public boolean hasRuledPleura() {
+        return reflection.isPresent();
+    }
+
+    /**
+     * Whether a place of the diaphragm, given at rest, borders the pleural recess by the rule of the reflection. On a
+     * side with a surface of the pleura that surface tells, and no place does.
+     */
+    public boolean bordersRuledRecess(double[] rest) {
+        return sidesWithoutPleura.contains(rest[0] < midlineX ? Side.RIGHT : Side.LEFT)
+                && reflection.filter(r -> r.isAbove(rest[0], rest[1], rest[2])).isPresent();
     }
 }

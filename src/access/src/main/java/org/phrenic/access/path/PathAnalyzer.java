@@ -13,7 +13,6 @@ import org.phrenic.access.NoGoZone;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.MeshMeasure;
-import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.SegmentProbe;
 
@@ -196,9 +195,10 @@ public final class PathAnalyzer {
 
     /** Depth at which a path crosses the pleura; infinite if it does not. */
     private double pleuralDepth(double[] entry, double[] end) {
-        if (anatomy.pleurae().isEmpty()) {
-            return recessDepth(entry, end);
-        }
+        return Math.min(surfaceDepth(entry, end), recessDepth(entry, end));
+    }
+
+    private double surfaceDepth(double[] entry, double[] end) {
         double first = NONE;
         for (MovingStructure pleura : anatomy.pleurae()) {
             int count = intersect(pleura, entry, end);
@@ -210,25 +210,21 @@ public final class PathAnalyzer {
     }
 
     /**
-     * Depth at which a path enters the diaphragm from the pleural recess, of a body without a surface of the pleura.
+     * Depth at which a path enters the diaphragm from the pleural recess, on a side without a surface of the pleura.
      */
     private double recessDepth(double[] entry, double[] end) {
-        if (anatomy.diaphragm().isEmpty()) {
+        if (!anatomy.hasRuledPleura()) {
             return NONE;
         }
-        MovingStructure diaphragm = anatomy.diaphragm().get();
+        MovingStructure diaphragm = anatomy.diaphragm().orElseThrow();
         int count = intersect(diaphragm, entry, end);
         for (int i = 0; i < count; i++) {
-            if (probe.facing(i) > 0 && isPleural(diaphragm.surface().rest(), probe.triangle(i))) {
+            double[] at = MeshMeasure.centroid(diaphragm.surface().rest(), probe.triangle(i));
+            if (probe.facing(i) > 0 && anatomy.bordersRuledRecess(at)) {
                 return probe.depth(i);
             }
         }
         return NONE;
-    }
-
-    private boolean isPleural(TriangleMesh diaphragm, int triangle) {
-        double[] mean = MeshMeasure.centroid(diaphragm, triangle);
-        return anatomy.pleura().orElseThrow().isAbove(mean[0], mean[1], mean[2]);
     }
 
     /** The segment of a path between chest wall and diaphragm that contains no lung. */
@@ -237,7 +233,7 @@ public final class PathAnalyzer {
         if (pleural == NONE) {
             return Optional.empty();
         }
-        if (!anatomy.pleurae().isEmpty()) {
+        if (surfaceDepth(entry, end) == pleural) {
             double to = crossings.stream()
                     .filter(c -> c.kind() == StructureKind.DIAPHRAGM || c.kind() == StructureKind.LUNG)
                     .filter(c -> c.toMm() > pleural)
