@@ -19,6 +19,9 @@ public final class MovingAnatomy {
     /** Prefix for the name of a rib when a margin is measured from its costal groove. */
     public static final String VESSELS_PREFIX = "vessels_";
 
+    /** What the display name of such a margin begins with. */
+    public static final String VESSELS_LABEL = "the vessels below ";
+
     private final List<MovingStructure> structures;
     private final List<MovingStructure> hazards;
     private final List<CostalGroove> grooves;
@@ -106,7 +109,7 @@ public final class MovingAnatomy {
         String name = groove ? nearest.substring(VESSELS_PREFIX.length()) : nearest;
         return structures.stream()
                 .filter(s -> s.surface().name().equals(name))
-                .map(s -> (groove ? "the vessels below " : "") + s.label())
+                .map(s -> (groove ? VESSELS_LABEL : "") + s.label())
                 .findFirst()
                 .orElse("");
     }

@@ -89,8 +89,12 @@ public final class MovingStructure {
         return noGo;
     }
 
-    /** Display name, such as "right rib 8", "left lung" or "liver". */
     public String label() {
+        return label(surface);
+    }
+
+    /** Display name of a structure, such as "right rib 8", "left lung" or "liver". */
+    public static String label(Surface surface) {
         String side =
                 surface.side() == Side.MIDLINE ? "" : surface.side().name().toLowerCase(Locale.ROOT) + " ";
         return switch (surface.kind()) {

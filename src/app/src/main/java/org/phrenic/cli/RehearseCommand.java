@@ -80,7 +80,7 @@ final class RehearseCommand extends ReportingCommand {
     }
 
     private static void draw(Rehearsal rehearsal, RehearsalPictures pictures) {
-        try (NeedlePictures drawn = NeedlePictures.open(rehearsal.surfaces())) {
+        try (NeedlePictures drawn = NeedlePictures.open(rehearsal.body())) {
             pictures.draw(what -> what.accept(drawn));
         } catch (NoGraphicsException | RuntimeException none) {
             pictures.setMissing(none);

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.joml.Vector3d;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.TrunkSkin;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.AccessMap;
@@ -50,12 +51,14 @@ public final class NeedlePictures implements AutoCloseable {
 
     private final OffscreenContext gl;
     private final List<Surface> body;
+    private final String notInScan;
     private final boolean ownsContext;
     private final int size;
 
-    private NeedlePictures(OffscreenContext gl, List<Surface> body, boolean ownsContext, int size) {
+    private NeedlePictures(OffscreenContext gl, BodySurfaces body, boolean ownsContext, int size) {
         this.gl = gl;
-        this.body = body;
+        this.body = body.surfaces();
+        notInScan = body.notInScanSummary();
         this.ownsContext = ownsContext;
         this.size = size;
     }
@@ -65,17 +68,16 @@ public final class NeedlePictures implements AutoCloseable {
      *
      * @param size width and height of a picture, pixels
      */
-    public static NeedlePictures using(OffscreenContext gl, List<Surface> body, int size) {
+    public static NeedlePictures using(OffscreenContext gl, BodySurfaces body, int size) {
         return new NeedlePictures(gl, body, false, size);
     }
 
     /**
      * Opens its own context, closed by {@link #close}.
      *
-     * @param body surfaces, in the order of the frames
      * @throws NoGraphicsException if no OpenGL context is available; the message is one sentence
      */
-    public static NeedlePictures open(List<Surface> body) throws NoGraphicsException {
+    public static NeedlePictures open(BodySurfaces body) throws NoGraphicsException {
         return new NeedlePictures(OffscreenContext.headless(), body, true, SIZE);
     }
 
@@ -177,7 +179,11 @@ public final class NeedlePictures implements AutoCloseable {
     private void write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
         Camera camera = Camera.of(view, Surface.bounds(body));
         BufferedImage picture = gl.render(series.renderer, series.frame, camera, style, size, size);
-        Annotations.of(style).withTitle(title).withTimestamp(series.timestamp).draw(picture, camera);
+        Annotations.of(style)
+                .withTitle(title)
+                .withTimestamp(series.timestamp)
+                .withNotInScan(notInScan)
+                .draw(picture, camera);
         String file = name + ".png";
         try {
             PngFile.write(series.folder.resolve(file), picture);

@@ -7,11 +7,14 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
@@ -92,7 +95,7 @@ class NeedlePicturesTest {
     void picturesThatCannotBeWrittenLeaveNothingOnTheGraphicsCard() throws Exception {
         Path file = Files.createFile(folder.resolve("a file"));
         try (SceneFixture body = new SceneFixture();
-                NeedlePictures pictures = NeedlePictures.using(body.offscreen, body.surfaces, SIDE)) {
+                NeedlePictures pictures = NeedlePictures.using(body.offscreen, new BodySurfaces(body.surfaces), SIDE)) {
             AccessMap map = map(body);
             NeedleSnapshot moment = moment("sample", body);
             List<String> written = new ArrayList<>();
@@ -113,7 +116,7 @@ class NeedlePicturesTest {
     @Test
     void greenMeansTheSameInTheReportAsInTheWindow() throws Exception {
         try (SceneFixture body = new SceneFixture();
-                NeedlePictures pictures = NeedlePictures.using(body.offscreen, body.surfaces, SIDE)) {
+                NeedlePictures pictures = NeedlePictures.using(body.offscreen, new BodySurfaces(body.surfaces), SIDE)) {
             List<String> files = new ArrayList<>();
             pictures.writeAccessMap(folder, map(body), "Access", files::add, failure -> {});
             assertThat(files).hasSize(3);
@@ -123,6 +126,24 @@ class NeedlePicturesTest {
             assertThat(chest.getGreen()).as("never free: skin").isGreaterThan(chest.getBlue());
             assertThat(greenAndBlue(right)[0]).as("always free: green").isGreaterThan(LEAST_PIXELS);
             assertThat(greenAndBlue(right)[1]).isZero();
+        }
+    }
+
+    @Test
+    void whatIsNotInTheScanStandsInThePictures() throws Exception {
+        try (SceneFixture body = new SceneFixture()) {
+            AccessMap map = map(body);
+            List<Integer> seen = new ArrayList<>();
+            for (String notInScan : List.of("", "skin, lungs")) {
+                List<String> files = new ArrayList<>();
+                BodySurfaces shown = new BodySurfaces(body.surfaces, Set.of(), notInScan);
+                try (NeedlePictures pictures = NeedlePictures.using(body.offscreen, shown, SIDE)) {
+                    pictures.writeAccessMap(folder, map, "Access", files::add, failure -> {});
+                }
+                seen.add(Arrays.hashCode(
+                        ImageIO.read(folder.resolve(files.get(0)).toFile()).getRGB(0, 0, SIDE, SIDE, null, 0, SIDE)));
+            }
+            assertThat(seen.get(1)).isNotEqualTo(seen.get(0));
         }
     }
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.path.TargetAccess;
@@ -24,7 +25,7 @@ class RehearsalPicturesTest {
         TargetLesion target = new TargetLesion(new double[3], 20);
         return new Rehearsal(
                 RehearsalPlan.exercises().get(0),
-                body.surfaces,
+                new BodySurfaces(body.surfaces),
                 new TargetAccess(target, NeedlePicturesTest.map(body), List.of()),
                 Optional.empty(),
                 null,
@@ -37,7 +38,7 @@ class RehearsalPicturesTest {
     private RehearsalPictures drawn(SceneFixture body, int lostAt) {
         RehearsalPictures pictures = new RehearsalPictures(rehearsal(body), folder);
         AtomicInteger calls = new AtomicInteger();
-        try (NeedlePictures open = NeedlePictures.using(body.offscreen, body.surfaces, SIDE)) {
+        try (NeedlePictures open = NeedlePictures.using(body.offscreen, new BodySurfaces(body.surfaces), SIDE)) {
             pictures.draw(what -> {
                 what.accept(open);
                 if (calls.getAndIncrement() == lostAt) {

@@ -2,6 +2,7 @@ package org.phrenic.access.live;
 
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.AttemptRecord;
@@ -12,7 +13,6 @@ import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.PlanStep;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
-import org.phrenic.simulation.observe.Surface;
 
 /**
  * A finished attempt in a live run.
@@ -41,9 +41,8 @@ public record LiveAttempt(
      * @param done plan that the attempt followed, or the one made of it by {@link #toPlan}
      * @param planned body by which the planned path is judged over the breath
      */
-    public Rehearsal toRehearsal(
-            RehearsalPlan done, List<Surface> surfaces, TargetAccess access, MovingAnatomy planned) {
+    public Rehearsal toRehearsal(RehearsalPlan done, BodySurfaces body, TargetAccess access, MovingAnatomy planned) {
         Optional<PathOverBreath> path = Rehearsal.plannedPath(done, access, planned, record);
-        return new Rehearsal(done, surfaces, access, path, record, probe, snapshots, stateHash);
+        return new Rehearsal(done, body, access, path, record, probe, snapshots, stateHash);
     }
 }

@@ -8,12 +8,14 @@ import java.util.stream.IntStream;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.LiverTissue;
 import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.MovingStructure;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.SkinPoint;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.TargetMotion;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.simulation.observe.Surface;
 
 /**
  * Analysis of a path over one breath. At each moment the path runs from the same skin point to the current position of
@@ -80,6 +82,13 @@ public record PathOverBreath(
     /** Number of moments at which the path is free. */
     public int freeMoments() {
         return (int) IntStream.range(0, analyses.size()).filter(this::isFree).count();
+    }
+
+    /** Whether a margin at any moment is measured from a structure, or from the vessels below it. */
+    public boolean isMeasuredFrom(Surface structure) {
+        String label = MovingStructure.label(structure);
+        return marginsFrom.stream()
+                .anyMatch(from -> from.equals(label) || from.equals(MovingAnatomy.VESSELS_LABEL + label));
     }
 
     public Map<String, Object> toMap() {

@@ -5,14 +5,20 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.phrenic.access.AbsentObstacles;
+import org.phrenic.access.BodySurfaces;
+import org.phrenic.access.MovingStructure;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.access.path.PathOverBreath;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.Numbers;
+import org.phrenic.simulation.observe.Surface;
 
 /**
  * Advice about a path over one breath, in clinical terms.
@@ -34,6 +40,25 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
         List<String> all = new ArrayList<>(reasons);
         all.add(remark);
         return new PathAdvice(level == Level.FREE ? Level.CAREFUL : level, headline, List.copyOf(all), margin, way);
+    }
+
+    /**
+     * Advice on a path in a body, with remarks on what the body lacks, and on skin and structures that a margin is
+     * measured from where its scan does not show them.
+     */
+    public static PathAdvice of(PathOverBreath path, BodySurfaces body) {
+        PathAdvice advice = of(path);
+        List<String> names = body.surfaces().stream().map(Surface::name).toList();
+        Optional<String> absent = AbsentObstacles.sentence(names);
+        if (absent.isPresent()) {
+            advice = advice.withRemark(absent.get());
+        }
+        String unseen = body.surfaces().stream()
+                .filter(s -> body.notInScan().contains(s.name()))
+                .filter(s -> s.kind() == StructureKind.SKIN || path.isMeasuredFrom(s))
+                .map(MovingStructure::label)
+                .collect(Collectors.joining(", "));
+        return unseen.isEmpty() ? advice : advice.withRemark("not in the scan, and so not of this person: " + unseen);
     }
 
     public static PathAdvice of(PathOverBreath path) {

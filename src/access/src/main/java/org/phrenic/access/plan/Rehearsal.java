@@ -3,6 +3,7 @@ package org.phrenic.access.plan;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -41,7 +42,7 @@ import org.phrenic.simulation.observe.Surface;
  */
 public record Rehearsal(
         RehearsalPlan plan,
-        List<Surface> surfaces,
+        BodySurfaces body,
         TargetAccess targetAccess,
         Optional<PathOverBreath> path,
         AttemptRecord record,
@@ -98,7 +99,7 @@ public record Rehearsal(
                 AttemptRecord record = needle.record();
                 return new Rehearsal(
                         plan,
-                        surfaces.surfaces(),
+                        new BodySurfaces(surfaces.surfaces(), thorax),
                         access,
                         plannedPath(plan, access, anatomy, record),
                         record,
@@ -183,6 +184,10 @@ public record Rehearsal(
             }
         }
         return place;
+    }
+
+    public List<Surface> surfaces() {
+        return body.surfaces();
     }
 
     public TargetLesion target() {

@@ -74,6 +74,11 @@ public final class RehearsalReport {
         if (!images.isEmpty()) {
             map.put("ultrasound", maps(images, RehearsalImage::toMap));
         }
+        if (!rehearsal.body().notInScan().isEmpty()) {
+            map.put(
+                    "not_in_scan",
+                    rehearsal.body().notInScan().stream().sorted().toList());
+        }
         return map.with("access", access())
                 .with("scenario", plan.scenario().toMap())
                 .with("definitions", definitions())
@@ -166,6 +171,10 @@ public final class RehearsalReport {
         String body = RunSettings.bodyLabel(plan.scenario().anatomy());
         document.paragraph("Date: " + date + ". Body: " + body + ". Breathing: " + breathing(plan.scenario())
                 + ". Help: " + plan.aids().label().toLowerCase(Locale.ROOT) + ".");
+        String notInScan = rehearsal.body().notInScanSummary();
+        if (!notInScan.isEmpty()) {
+            document.paragraph("Not in the scan, and so not of this person: " + notInScan + ".");
+        }
         goals(document);
         attempt(document);
         figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CycleRecorder;
 import org.phrenic.access.MovingAnatomy;
@@ -375,7 +376,7 @@ class LiveAttemptTest {
                 "ultrasound_1", at.frame(), at.label(), true, at.hub(), at.tip(), at.target(), at.targetRadiusMm());
         Rehearsal withImage = new Rehearsal(
                 played.plan().withSteps(played.target(), imaging, 1),
-                played.surfaces(),
+                played.body(),
                 played.targetAccess(),
                 played.path(),
                 played.record(),
@@ -424,7 +425,7 @@ class LiveAttemptTest {
             hand.accept(needle);
             LiveAttempt attempt = ended.get(PATIENCE_S, TimeUnit.SECONDS);
             RehearsalPlan done = played ? plan : attempt.toPlan(plan);
-            return attempt.toRehearsal(done, scene.surfaces(), study, mapped);
+            return attempt.toRehearsal(done, new BodySurfaces(scene.surfaces()), study, mapped);
         } finally {
             run.pause();
         }

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BoxAnatomy;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -31,17 +33,45 @@ class PathAdviceTest {
         "5, ORGAN, no structure at risk within 40 mm"
     })
     void theMarginNamesTheAvoidedStructureThatItIsMeasuredFrom(double z, NoGoZone avoided, String margin) {
+        assertThat(PathAdvice.of(level(new BoxAnatomy(), z, avoided)).margin()).isEqualTo(margin);
+    }
+
+    /** As {@link #theMarginNamesTheAvoidedStructureThatItIsMeasuredFrom}, where the scan shows some of it. */
+    @ParameterizedTest
+    @CsvSource({
+        "-20, LUNG, lung_R, right lung",
+        "-20, BONE, lung_R, ",
+        "-20, BONE, rib_09_R, right rib 9",
+        "5, VESSELS, rib_08_R, right rib 8",
+        "5, VESSELS, liver, ",
+        "-20, BONE, skin, skin"
+    })
+    void skinAndWhatAMarginIsMeasuredFromAreNamedIfTheyAreNotInTheScan(
+            double z, NoGoZone avoided, String notInScan, String named) {
         BoxAnatomy body = new BoxAnatomy();
+        PathOverBreath path = level(body, z, avoided);
+        PathAdvice seen = PathAdvice.of(path, new BodySurfaces(body.surfaces));
+        PathAdvice unseen = PathAdvice.of(path, new BodySurfaces(body.surfaces, Set.of(notInScan), notInScan));
+        if (named == null) {
+            assertThat(unseen).isEqualTo(seen);
+        } else {
+            assertThat(unseen.level()).isEqualTo(PathAdvice.Level.CAREFUL);
+            assertThat(unseen.reasons()).hasSize(1 + seen.reasons().size());
+            assertThat(unseen.reasons()).last().isEqualTo("not in the scan, and so not of this person: " + named);
+        }
+        assertThat(seen.reasons()).singleElement().asString().startsWith("not in this body");
+    }
+
+    private static PathOverBreath level(BoxAnatomy body, double z, NoGoZone avoided) {
         MovingAnatomy scene = new MovingAnatomy(body.surfaces);
         scene.update(body.still(0));
-        PathOverBreath path = PathOverBreath.of(
+        return PathOverBreath.of(
                 scene,
                 List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE)),
                 new double[] {0, 0, z},
                 TargetLesion.at(scene, new double[] {90, 0, z}, 20),
                 Needle.standard(),
                 EnumSet.of(avoided));
-        assertThat(PathAdvice.of(path).margin()).isEqualTo(margin);
     }
 
     /** The target is 90 mm from the entry at rest and 110 mm when the breath has carried it away from the skin. */

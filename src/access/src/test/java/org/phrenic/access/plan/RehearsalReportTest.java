@@ -6,7 +6,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BoxAnatomy;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -57,6 +59,11 @@ class RehearsalReportTest {
     /** @param imaged whether the plan takes an ultrasound image */
     private static RehearsalReport report(
             BoxAnatomy body, Scenario scenario, Needle tube, boolean imaged, double... depthsMm) {
+        return report(body, new BodySurfaces(body.surfaces), scenario, tube, imaged, depthsMm);
+    }
+
+    private static RehearsalReport report(
+            BoxAnatomy body, BodySurfaces shown, Scenario scenario, Needle tube, boolean imaged, double... depthsMm) {
         MovingAnatomy scene = new MovingAnatomy(body.surfaces);
         scene.update(body.still(0));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
@@ -77,7 +84,7 @@ class RehearsalReportTest {
             ProbeHold hold = ProbeHold.at(ENTRY, ProbePose.Angles.ZERO, UltrasoundSettings.DEFAULT);
             Rehearsal rehearsal = new Rehearsal(
                     imaged ? plan.withSteps(target, List.of(new PlanStep.Image("image", hold)), 1) : plan,
-                    body.surfaces,
+                    shown,
                     access,
                     Optional.empty(),
                     needle.record(),
@@ -101,6 +108,18 @@ class RehearsalReportTest {
         RehearsalReport cut = report(body, Scenario.defaults(), Needle.standard(), true);
         assertThat(cut.values().toString()).contains("left_out=[vessel_open]");
         assertThat(page(cut)).contains("Not in the images, as they are open: vessel_open.");
+    }
+
+    @Test
+    void theReportNamesWhatIsNotOfThisPerson() {
+        RehearsalReport seen = report(new BoxAnatomy(), Scenario.defaults(), Needle.standard(), false);
+        assertThat(page(seen)).doesNotContain("of this person");
+        assertThat(seen.values()).doesNotContainKey("not_in_scan");
+        BoxAnatomy body = new BoxAnatomy();
+        BodySurfaces unseen = new BodySurfaces(body.surfaces, Set.of("skin", "lung_R"), "lung, skin");
+        RehearsalReport report = report(body, unseen, Scenario.defaults(), Needle.standard(), false);
+        assertThat(page(report)).contains("Not in the scan, and so not of this person: lung, skin.");
+        assertThat(report.values()).containsEntry("not_in_scan", List.of("lung_R", "skin"));
     }
 
     @Test

@@ -79,7 +79,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
 
     private void render(Rehearsal rehearsal, Consumer<NeedlePictures> what) {
         betweenFrames(gl -> {
-            try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces(), pictureSize)) {
+            try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.body(), pictureSize)) {
                 what.accept(pictures);
             }
         });

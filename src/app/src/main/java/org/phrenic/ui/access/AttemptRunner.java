@@ -184,7 +184,7 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
 
     /** Composes the report in the background; it is never discarded. */
     private void publishReport(RehearsalBody body, TargetAccess about, RehearsalPlan done, LiveAttempt attempt) {
-        publish(() -> attempt.toRehearsal(done, body.scene().surfaces(), about, body.planningScene()));
+        publish(() -> attempt.toRehearsal(done, body.surfaces(), about, body.planningScene()));
     }
 
     /** Hands on the report of a finished attempt once it is composed; a window that is closed meanwhile waits. */

@@ -2,8 +2,6 @@ package org.phrenic.ui.access;
 
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
-import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
@@ -14,7 +12,6 @@ import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.file.BadInputException;
-import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
@@ -80,17 +77,10 @@ public final class EntrySelection {
         RehearsalPlan plan = rehearsal.plan().orElseThrow();
         Callable<PathOverBreath> analysis = () -> PathOverBreath.of(
                 body.planningScene(), about.map().cycle(), onSkinRest, about.target(), plan.needle(), plan.avoided());
-        Function<PathOverBreath, PathAdvice> advise = found -> {
-            PathAdvice ofPath = PathAdvice.of(found);
-            return AbsentObstacles.sentence(
-                            body.scene().surfaces().stream().map(Surface::name).toList())
-                    .map(ofPath::withRemark)
-                    .orElse(ofPath);
-        };
         // The advice is on the entry, whatever becomes of the attempt.
         work.runAlways(
                 analysis,
-                found -> ifStillChosen(chosen, () -> advice = Optional.of(advise.apply(found))),
+                found -> ifStillChosen(chosen, () -> advice = Optional.of(PathAdvice.of(found, body.surfaces()))),
                 sentence -> ifStillChosen(chosen, () -> {
                     unknown = true;
                     session.refuse(sentence);

@@ -2,6 +2,7 @@ package org.phrenic.ui.access;
 
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
@@ -40,6 +41,11 @@ record RehearsalBody(
         planning.update(frame);
         return new RehearsalBody(
                 scene, frame, new ScannedSkin(scene.surfaces()), planning, simulated, ScannedLesion.of(planning));
+    }
+
+    /** Its surfaces, and what of them is not in its scan. */
+    BodySurfaces surfaces() {
+        return new BodySurfaces(scene.surfaces(), scene.body());
     }
 
     /** A target, its access map and the colours of the map on the skin. */

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.Needle;
 import org.phrenic.access.attempt.AttemptRecord;
@@ -69,7 +70,8 @@ class AttemptHistoryTest {
                 Scenario.defaults(), SampledAttempts.TARGET, Needle.standard(), BreathCycle.PHASES);
         for (AttemptRecord record : List.of(
                 SampledAttempts.record(hit, miss), SampledAttempts.record(miss, hit), SampledAttempts.record())) {
-            kept.add(new Rehearsal(plan, List.of(), null, Optional.empty(), record, ProbeUse.NONE, List.of(), ""));
+            kept.add(new Rehearsal(
+                    plan, new BodySurfaces(List.of()), null, Optional.empty(), record, ProbeUse.NONE, List.of(), ""));
         }
         assertThat(Files.readAllLines(kept.file()))
                 .extracting(row -> row.replaceFirst("^[^,]*,[^,]*,", ""))

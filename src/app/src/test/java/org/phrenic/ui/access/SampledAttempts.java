@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.Needle;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.AttemptRecord;
@@ -32,7 +33,7 @@ public final class SampledAttempts {
     static Rehearsal rehearsal(List<Surface> surfaces, AccessMap map, TargetingError... samples) {
         return new Rehearsal(
                 RehearsalPlan.exercises().get(0),
-                surfaces,
+                new BodySurfaces(surfaces),
                 new TargetAccess(TARGET, map, List.of()),
                 Optional.empty(),
                 record(samples),
