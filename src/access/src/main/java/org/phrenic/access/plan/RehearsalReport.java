@@ -11,11 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.BreathMoment;
-import org.phrenic.access.CostalGroove;
 import org.phrenic.access.NoGoZone;
-import org.phrenic.access.PleuralReflection;
 import org.phrenic.access.TargetMotion;
 import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.AttemptRecord;
@@ -35,7 +32,6 @@ import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.Numbers;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.observe.Surface;
 
 /** The report of a rehearsal, as values for JSON and as a document. */
 public final class RehearsalReport {
@@ -81,7 +77,7 @@ public final class RehearsalReport {
         }
         return map.with("access", access())
                 .with("scenario", plan.scenario().toMap())
-                .with("definitions", definitions())
+                .with("definitions", ReportTerms.of(rehearsal))
                 .with("state_sha256", rehearsal.stateHash())
                 .with("notice", Disclaimer.TEXT);
     }
@@ -121,39 +117,6 @@ public final class RehearsalReport {
         return items.stream().map(values).toList();
     }
 
-    /** Definitions of the terms in the report, and the limitations of this body. */
-    private List<String> definitions() {
-        List<String> words = new ArrayList<>(List.of(
-                hitDefinition(),
-                "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by"
-                        + " a path through the pleura, or, in a body without a surface of it, one that enters the"
-                        + " diaphragm more than " + mm(PleuralReflection.HEIGHT_ABOVE_ORIGIN_MM)
-                        + " mm above its lower rim.",
-                "Vessels below a rib: within " + mm(CostalGroove.NEUROVASCULAR_ZONE_MM)
-                        + " mm of the rib's lower border.",
-                "Capsule pulled: distance between the needle and where it went through the capsule, which moves with"
-                        + " the liver.",
-                "Forces: readouts of a model of layers, most of whose values are chosen; they move nothing.",
-                "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels"
-                        + " count only where the body has them.",
-                AttemptRecord.NOT_VALIDATED));
-        AbsentObstacles.sentence(
-                        rehearsal.surfaces().stream().map(Surface::name).toList())
-                .ifPresent(absent -> words.add(Character.toUpperCase(absent.charAt(0)) + absent.substring(1) + "."));
-        return words;
-    }
-
-    private String hitDefinition() {
-        boolean core = rehearsal.plan().needle().coreMm() > 0;
-        return (core
-                        ? "Hit: a part of the core was within the target when a sample was taken. Axial: from the"
-                                + " middle of the core along the needle"
-                        : "Hit: the tip was in the liver and within the target when a sample was taken. Axial: along"
-                                + " the needle")
-                + ", positive where the target's middle lies deeper; lateral: distance of the middle from the needle's"
-                + " line.";
-    }
-
     /** This moment as text, for the date of a report. */
     public static String dateNow() {
         return LocalDateTime.now(ZoneId.systemDefault()).format(DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm"));
@@ -183,7 +146,8 @@ public final class RehearsalReport {
         accessTable(document);
         String caption = "Where on the skin the target can be reached by a straight path, in per cent of a breath.";
         figure(document, caption, mapPictures);
-        return document.section("What the words mean").points(definitions().toArray(String[]::new));
+        return document.section("What the words mean")
+                .points(ReportTerms.of(rehearsal).toArray(String[]::new));
     }
 
     private static String breathing(Scenario scenario) {
