@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.Specks;
 
 /**
  * Doubts on the numbers of ribs and vertebrae, which change nothing: a number that is left out in the spine, one
@@ -31,7 +32,7 @@ public final class NumberingDoubts {
     private final VertebraHeights height;
 
     private NumberingDoubts(Segmentation s) {
-        ribs = new RibDeviations(s);
+        ribs = new RibDeviations(s, Specks.none());
         vertebrae = new VertebraVoxels(s, ribs);
         height = new VertebraHeights(s);
     }

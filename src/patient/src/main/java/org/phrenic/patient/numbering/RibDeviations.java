@@ -10,6 +10,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.Specks;
 
 /**
  * How far the vertebral ends of the ribs of a volume lie from the vertebrae of their numbers, in parts of the distance
@@ -69,13 +70,17 @@ final class RibDeviations {
     /** x of the spine, mm; NaN if there is no vertebra. */
     private final double middle;
 
-    RibDeviations(Segmentation s) {
+    /** @param specks voxels that are left out */
+    RibDeviations(Segmentation s, Specks specks) {
         this.s = s;
         names = VertebraNumbering.names(s);
         double sumX = 0;
         int vertebral = 0;
         for (int v = 0; v < s.voxels().length; v++) {
             int segment = s.segmentAt(v);
+            if (segment == 0 || specks.contain(v)) {
+                continue;
+            }
             if (names[segment].kind() == StructureKind.VERTEBRA) {
                 sumX += s.coordinate(v, 0);
                 vertebral++;

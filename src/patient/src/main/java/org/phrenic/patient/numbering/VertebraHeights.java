@@ -14,6 +14,7 @@ import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.Specks;
 
 /** Heights of the vertebrae of a volume, and of the vertebral ends of its ribs. */
 final class VertebraHeights {
@@ -63,8 +64,13 @@ final class VertebraHeights {
      * are taken to follow at the usual distance.
      */
     VertebraHeights(Segmentation s) {
+        this(s, Specks.none());
+    }
+
+    /** @param specks voxels that are left out */
+    VertebraHeights(Segmentation s, Specks specks) {
         Arrays.fill(vertebraZ, Double.NaN);
-        readShown(s);
+        readShown(s, specks);
         highest = IntStream.rangeClosed(1, LAST)
                 .filter(level -> !Double.isNaN(vertebraZ[level]))
                 .findFirst()
@@ -81,7 +87,7 @@ final class VertebraHeights {
         }
     }
 
-    private void readShown(Segmentation s) {
+    private void readShown(Segmentation s, Specks specks) {
         double[][] sums = new double[LabelGrid.MAX_BYTE_LABEL + 1][4];
         boolean[] cut = new boolean[sums.length];
         int ends = s.endsToward(true) | s.endsToward(false);
@@ -94,7 +100,7 @@ final class VertebraHeights {
         for (int pass = 0; pass < 2; pass++) {
             for (int v = 0; v < s.voxels().length; v++) {
                 int segment = s.segmentAt(v);
-                if (levels[segment] > 0) {
+                if (levels[segment] > 0 && !specks.contain(v)) {
                     double y = s.coordinate(v, 1);
                     double[] sum = sums[segment];
                     if (pass == 0) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -15,6 +16,7 @@ import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
 import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.Specks;
 
 /**
  * Numbers of vertebrae that are one off those of the ribs, a frequent error of segmentations. It is seen in the lower
@@ -34,12 +36,14 @@ final class VertebraNumbering {
     /** Name of each segment. */
     private final StructureName[] names;
 
+    private final Specks specks;
     private final RibDeviations ribs;
 
     private VertebraNumbering(Segmentation s) {
         this.s = s;
         names = names(s);
-        ribs = new RibDeviations(s);
+        specks = Specks.ofBones(s);
+        ribs = new RibDeviations(s, specks);
     }
 
     /** Name of each segment, from the background on. */
@@ -129,17 +133,23 @@ final class VertebraNumbering {
      * @return a note if it does
      */
     private Optional<String> partDouble() {
-        VertebraHeights height = new VertebraHeights(s);
+        VertebraHeights height = new VertebraHeights(s, specks);
         for (int level = RibDeviations.FIRST_ABOVE + 1; level <= StructureName.FIRST_LUMBAR; level++) {
             if (height.isDouble(level)) {
-                long above = ribs.off(height, RibDeviations.FIRST_ABOVE, level - 1);
-                long below = ribs.off(height, level + 1, RibNumbering.RIBS);
-                if ((above == 1 && below == 0) || (above == 0 && below == -1)) {
-                    return Optional.of(part(SpineNames.place(level), above == 1));
+                boolean above = isOff(height, RibDeviations.FIRST_ABOVE, level - 1, 1)
+                        && ribs.off(height, level + 1, RibNumbering.RIBS) == 0;
+                boolean below = ribs.off(height, RibDeviations.FIRST_ABOVE, level - 1) == 0
+                        && isOff(height, level + 1, RibNumbering.RIBS, -1);
+                if (above || below) {
+                    return Optional.of(part(SpineNames.place(level), above));
                 }
             }
         }
         return Optional.empty();
+    }
+
+    private boolean isOff(VertebraHeights height, int from, int to, int by) {
+        return ribs.slip(height, from, to).equals(OptionalInt.of(by));
     }
 
     /**

@@ -152,7 +152,7 @@ public final class LungPieces {
     }
 
     /**
-     * Where the voxels of a lung lie.
+     * Where the voxels of a lung lie, without specks.
      *
      * @param centre their mean, mm
      * @param lowest least height of one, mm
@@ -163,13 +163,14 @@ public final class LungPieces {
         /** @return empty if no voxel has the name */
         public static Optional<LungVoxels> of(Segmentation s, String name) {
             int segment = s.find(name);
+            Specks specks = segment > 0 ? Specks.ofLung(s, segment) : Specks.none();
             double[] centre = new double[3];
             double lowest = Double.POSITIVE_INFINITY;
             double highest = Double.NEGATIVE_INFINITY;
             int ends = 0;
             int count = 0;
             for (int v = 0; segment > 0 && v < s.voxels.length; v++) {
-                if (s.segmentAt(v) == segment) {
+                if (s.segmentAt(v) == segment && !specks.contain(v)) {
                     count++;
                     for (int axis = 0; axis < 3; axis++) {
                         centre[axis] += (s.coordinate(v, axis) - centre[axis]) / count;

@@ -13,6 +13,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.segmentation.CageVoxels;
 import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.Specks;
 
 /** A cage whose ribs or vertebrae carry the label of their neighbour. */
 class VertebraNumberingTest {
@@ -113,6 +114,16 @@ class VertebraNumberingTest {
         return new Segmentation(CageVoxels.volume(labels), new LabelTable(table), "scan");
     }
 
+    /** Adds a few voxels of structures in the front of the uppermost slice. */
+    private static Segmentation withSpecks(Segmentation s, String... structures) {
+        int at = s.voxels().length - s.grid().columns() * s.grid().rows();
+        for (String structure : structures) {
+            Arrays.fill(s.voxels(), at, at + 5, (byte) s.find(structure));
+            at += 7;
+        }
+        return s;
+    }
+
     /** An abdominal scan with vertebrae and organs labelled: no first vertebra, no neck and no rib. */
     @Test
     void vertebraeOfAScanWithoutRibsKeepTheirNumbers() {
@@ -180,6 +191,57 @@ class VertebraNumberingTest {
     }
 
     @Test
+    void firstRibsAreToldByThemselvesAndLungsWithoutSpecks() {
+        for (String structure : List.of("rib_02_R", "rib_03_L", "lung_R", "lung_L")) {
+            assertThat(BoneNumbering.numberRibs(withSpecks(fromBelow(34, 108), structure)))
+                    .as(structure)
+                    .singleElement()
+                    .asString()
+                    .startsWith("the highest ribs have the number 2");
+        }
+    }
+
+    @Test
+    void aTwelfthRibIsToldWithoutSpecksOfItAndOfTheOneAbove() {
+        Segmentation vertebrae = withSpecks(scan(cage(), ABDOMEN, vertebraeMoved(-1)), "rib_12_R", "rib_12_L");
+        assertThat(BoneNumbering.numberRibs(vertebrae))
+                .singleElement()
+                .asString()
+                .startsWith("the vertebrae lie one");
+        Segmentation ribs = withSpecks(scan(cage(), ABDOMEN, ribsMovedDown()), "rib_11_R");
+        assertThat(BoneNumbering.numberRibs(ribs)).singleElement().asString().startsWith("ribs, whose vertebrae");
+    }
+
+    @Test
+    void aWholeScanCutsNoRibsOffAboveWhereASpeckOfOneReachesItsEnd() {
+        Segmentation s = withSpecks(scan(cage(), 119, label -> label), "rib_07_R");
+        assertThat(new RibDeviations(s, Specks.none()).areCutAbove()).isTrue();
+        assertThat(new RibDeviations(s, Specks.ofBones(s)).areCutAbove()).isFalse();
+    }
+
+    @Test
+    void twoVertebraeUnderOneLabelAreToldWithoutSpecks() {
+        Segmentation right = withSpecks(scan(cage(), CageVoxels.SLICES, label -> label), "vertebra_T05");
+        assertThat(new VertebraHeights(right).isDouble(5)).isTrue();
+        assertThat(new VertebraHeights(right, Specks.ofBones(right)).isDouble(5))
+                .isFalse();
+        Segmentation two = withSpecks(scan(cage(), CageVoxels.SLICES, doubled(5, true)), "vertebra_T06");
+        assertThat(BoneNumbering.numberRibs(two)).singleElement().asString().startsWith("vertebra_T05 is as tall as");
+    }
+
+    /** A tall vertebra between low ones, with the ribs above it one off on the right alone. */
+    @Test
+    void ribsThatDeviateUnlikeEachOtherTellNothingOfATallVertebra() {
+        CageVoxels cage = withLow(4, 6);
+        Segmentation s = scan(cage, CageVoxels.SLICES, label -> {
+            boolean moves = label > CageVoxels.rib(2, true) && label <= CageVoxels.rib(5, true);
+            return label == CageVoxels.rib(2, true) ? 0 : moves ? label - 1 : label;
+        });
+        assertThat(new VertebraHeights(s).isDouble(5)).isTrue();
+        assertThat(VertebraNumbering.check(s)).isEmpty();
+    }
+
+    @Test
     void numbersThatFitAreLeftAlone() {
         Segmentation s = scan(cage(), CageVoxels.SLICES, label -> label);
         assertThat(VertebraNumbering.check(s)).isEmpty();
@@ -231,16 +293,24 @@ class VertebraNumberingTest {
         }
     }
 
-    @Test
-    void aTallVertebraAmongRightNumbersIsOne() {
+    /** The cage with two vertebrae of two slices. */
+    private static CageVoxels withLow(int first, int second) {
         CageVoxels cage = cage();
         int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
         for (int v = 0; v < cage.labels.length; v++) {
             int number = CageVoxels.vertebra(0) - cage.labels[v];
-            if ((number == 7 || number == 9) && v / slice - (123 - 8 * number) != -1 && v / slice != 123 - 8 * number) {
+            int above = v / slice - CageVoxels.vertebraSlice(number);
+            if ((number == first || number == second) && above != -1 && above != 0) {
                 cage.labels[v] = 0;
             }
         }
+        return cage;
+    }
+
+    @Test
+    void aTallVertebraAmongRightNumbersIsOne() {
+        CageVoxels cage = withLow(7, 9);
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
         Segmentation s = scan(cage, CageVoxels.SLICES, label -> label);
         assertThat(new VertebraHeights(s).isDouble(8)).isTrue();
         byte[] fromT9 = Arrays.copyOfRange(cage.labels, (123 - 8 * 9 - 1) * slice, cage.labels.length);
