@@ -1,6 +1,7 @@
 package org.phrenic.patient;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -20,12 +21,16 @@ import org.phrenic.mesh.voxel.VoxelBox;
  *
  * with the signed distances s to the surface of the scan and t to that of the template, in a grid of {@value #CELL_MM}
  * mm, and the depth d of a point below the end of the scan. So the surface is the template's beyond the end of the scan
- * and the scan's from the depth of {@value #BAND_MM} mm on; vertices there are put on the surface of the scan.
+ * and the scan's from the depth of {@value #BAND_MM} mm on; vertices there are put on the surface of the scan. Pieces
+ * of the organ that lie apart in the scan are kept.
  */
 public final class OrganExtension {
     private static final double CELL_MM = 2;
     private static final double BAND_MM = 20;
     private static final int MARGIN = 3;
+    /** Least volume of a further piece over that of what the scan shows. */
+    private static final double LEAST_SHARE = 0.01;
+
     /** Greatest distance from the surface of the scan at which a vertex is put on it, mm. */
     private static final double NEAR_MM = 2 * CELL_MM;
 
@@ -71,7 +76,17 @@ public final class OrganExtension {
             labels[cell] = (byte) (inside ? 1 : 0);
         }
         LabelGrid grid = LabelGrid.of(box.columns(), box.rows(), box.slices(), labels, box.toMm());
-        return onScan(new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER).surface(1, edge(scan)));
+        SegmentMesher mesher = new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER);
+        return onScan(mesher.surface(1, edge(scan), this::isOfScan));
+    }
+
+    /** Whether a piece is no crumb and reaches so deep that the scan has more weight than the template there. */
+    private boolean isOfScan(TriangleMesh piece) {
+        boolean large = MeshMeasure.signedVolume(piece) > LEAST_SHARE * MeshMeasure.signedVolume(scan);
+        return large
+                && IntStream.range(0, piece.vertexCount())
+                        .mapToObj(v -> new double[] {piece.x(v), piece.y(v), piece.z(v)})
+                        .anyMatch(p -> templateWeight(depth(p)) < 0.5);
     }
 
     /** A box around two others. */

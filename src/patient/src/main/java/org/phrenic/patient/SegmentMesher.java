@@ -2,6 +2,7 @@ package org.phrenic.patient;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
@@ -62,7 +63,17 @@ public final class SegmentMesher {
 
     /** Only the surface of {@link #mesh(int, double)}, not compared with the voxels, which is faster. */
     public TriangleMesh surface(int segment, double edgeMm) {
-        return meshed(largest(ConnectedComponents.of(smooth.surface(segment))), edgeMm)
+        return surface(segment, edgeMm, piece -> false);
+    }
+
+    /** The same with those of the other pieces that are wanted. */
+    TriangleMesh surface(int segment, double edgeMm, Predicate<TriangleMesh> wanted) {
+        List<TriangleMesh> shells = ConnectedComponents.of(smooth.surface(segment));
+        TriangleMesh largest = largest(shells);
+        List<TriangleMesh> taken = shells.stream()
+                .filter(shell -> shell == largest || wanted.test(shell))
+                .toList();
+        return meshed(taken.size() == 1 ? largest : MeshMerge.merge(taken), edgeMm)
                 .mesh();
     }
 

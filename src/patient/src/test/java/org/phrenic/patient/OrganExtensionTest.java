@@ -13,6 +13,8 @@ import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.ConnectedComponents;
+import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
 import org.phrenic.mesh.query.SurfaceDistance;
@@ -60,9 +62,13 @@ class OrganExtensionTest {
 
     /** The organ as the scan shows it, moved up since. */
     private static PatientStructure organ(List<CutPlane> ends, double raisedMm) {
-        MeshedSegment meshed = new MeshedSegment(SCAN, 0, 0, DistanceSummary.NONE, MeshQuality.of(SCAN), 0.2, 1, 0);
+        return organ(SCAN, ends, raisedMm);
+    }
+
+    private static PatientStructure organ(TriangleMesh scan, List<CutPlane> ends, double raisedMm) {
+        MeshedSegment meshed = new MeshedSegment(scan, 0, 0, DistanceSummary.NONE, MeshQuality.of(scan), 0.2, 1, 0);
         return PatientStructure.ofScan(
-                new Structure("lung_R", StructureKind.LUNG, 0, Side.RIGHT, raised(SCAN, raisedMm)),
+                new Structure("lung_R", StructureKind.LUNG, 0, Side.RIGHT, raised(scan, raisedMm)),
                 new PatientStructure.Scan(List.of(1), 1000, 1000, ends, meshed));
     }
 
@@ -118,6 +124,20 @@ class OrganExtensionTest {
         TriangleMesh moved = OrganExtension.extended(organ(end(), 30), raised(TEMPLATE, 30));
         assertThat(SurfaceComparison.of(raised(moved, -30), still).byArea().maximum())
                 .isLessThan(0.5);
+    }
+
+    /** A second piece, 30 mm below the one that is cut off; of the template a part lies apart beyond the end. */
+    @Test
+    void aPieceOfTheScanThatLiesApartIsKept() {
+        for (double radius : new double[] {20, 60}) {
+            TriangleMesh piece = raised(Shapes.sphere(radius, 4), -RADIUS_MM - 30 - radius);
+            TriangleMesh beyond = raised(Shapes.sphere(10, 3), 80);
+            TriangleMesh whole = OrganExtension.extended(
+                    organ(MeshMerge.merge(List.of(piece, SCAN)), end(), 0), MeshMerge.merge(List.of(TEMPLATE, beyond)));
+            assertThat(ConnectedComponents.of(whole)).hasSize(2);
+            assertThat(whole.bounds()[2]).isCloseTo(-RADIUS_MM - 30 - 2 * radius, within(HALF_CELL_MM));
+            assertThat(whole.bounds()[5]).isCloseTo(TEMPLATE_MM, within(HALF_CELL_MM));
+        }
     }
 
     @Test

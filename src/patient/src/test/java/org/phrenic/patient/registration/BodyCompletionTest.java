@@ -23,6 +23,7 @@ import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
@@ -91,6 +92,39 @@ class BodyCompletionTest {
                 .byArea()
                 .mean();
         assertThat(off).as("from %.1f mm as the template lies", before).isLessThan(0.5 * before);
+    }
+
+    /** The lower third of the right lung lies 30 mm below the rest, which a scan cuts off above. */
+    @Test
+    void aPieceThatLiesApartFromALungThatIsCutOffIsKept() {
+        Thorax patient = thorax("adult-female");
+        List<PatientStructure> lungs = new ArrayList<>();
+        double[] volumes = new double[2];
+        for (Structure lung : patient.structuresOf(StructureKind.LUNG)) {
+            double[] bounds = lung.mesh().bounds();
+            double at = bounds[2] + (bounds[5] - bounds[2]) / 3;
+            if (lung.side() == Side.LEFT) {
+                lungs.add(scanned(lung, "S"));
+                continue;
+            }
+            for (int piece = 0; piece < 2; piece++) {
+                double[] p = lung.mesh().positions().clone();
+                for (int z = 2; z < p.length; z += 3) {
+                    p[z] = piece == 0 ? Math.max(p[z], at + 30) : Math.min(p[z], at);
+                }
+                TriangleMesh mesh = lung.mesh().withPositions(p);
+                volumes[piece] = MeshMeasure.signedVolume(mesh);
+                lungs.add(scanned(
+                        new Structure(piece == 0 ? "lung_R" : "lung_R_2", lung.kind(), lung.level(), lung.side(), mesh),
+                        piece == 0 ? "S" : ""));
+            }
+        }
+        PatientBody scan = new PatientBody("patient", lungs, ExpectedStructures.missing(lungs), List.of());
+        PatientBody body = BodyCompletion.complete(scan, thorax("adult-male"));
+        TriangleMesh right = body.structure("lung_R").orElseThrow().structure().mesh();
+        assertThat(body.structure("lung_R_2")).isEmpty();
+        assertThat(MeshMeasure.signedVolume(right)).isGreaterThan(0.95 * (volumes[0] + volumes[1]));
+        assertThat(ConnectedComponents.of(right)).hasSize(2);
     }
 
     private static PatientBody stretched(Thorax patient, double across, double deep, double tall) {
