@@ -1,16 +1,16 @@
 package org.phrenic.patient.diaphragm;
 
-import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.LesionPlace;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.mesh.query.SurfaceDistance;
+import org.phrenic.mesh.query.TriangleTree;
 
 /** The bones that lesions of bones go with. */
 final class LesionBones {
@@ -22,6 +22,8 @@ final class LesionBones {
             StructureKind.BONE);
 
     private final List<Structure> bones;
+    /** Of the bones, made when they are first asked for. */
+    private List<TriangleTree> trees = List.of();
 
     LesionBones(Thorax body) {
         bones = body.structures().stream().filter(s -> BONES.contains(s.kind())).toList();
@@ -34,19 +36,32 @@ final class LesionBones {
 
     /** The bone nearest to a lesion that may be one of ribs, sternum or cartilages; empty for others, which stay. */
     Optional<Structure> of(Structure lesion) {
-        return LesionPlace.mayBeInCage(name(lesion))
-                ? bones.stream().min(Comparator.comparingDouble(bone -> meanDistance(lesion, bone)))
-                : Optional.empty();
+        if (!LesionPlace.mayBeInCage(name(lesion))) {
+            return Optional.empty();
+        }
+        double[] means =
+                trees().stream().mapToDouble(bone -> meanDistance(lesion, bone)).toArray();
+        return IntStream.range(0, means.length)
+                .reduce((a, b) -> Double.compare(means[b], means[a]) < 0 ? b : a)
+                .stream()
+                .mapToObj(bones::get)
+                .findFirst();
     }
 
-    private static double meanDistance(Structure lesion, Structure bone) {
-        double[] distances =
-                new SurfaceDistance(bone.mesh()).unsignedDistance(lesion.mesh().positions());
+    private synchronized List<TriangleTree> trees() {
+        if (trees.isEmpty()) {
+            trees = bones.stream().map(bone -> new TriangleTree(bone.mesh())).toList();
+        }
+        return trees;
+    }
+
+    private static double meanDistance(Structure lesion, TriangleTree bone) {
+        double[] all = bone.distances(lesion.mesh().positions());
         double sum = 0;
-        for (double d : distances) {
+        for (double d : all) {
             sum += d;
         }
-        return sum / distances.length;
+        return sum / all.length;
     }
 
     private static String name(Structure s) {

@@ -145,17 +145,19 @@ final class FusedRibs {
             parts.add(part);
             samples.add(sample);
         }
+        List<VoxelBlocks> blocks =
+                samples.stream().map(sample -> new VoxelBlocks(s, sample)).toList();
         for (int voxel : whole.voxels.toArray()) {
             if (!shared.get(voxel)) {
-                parts.get(nearest(voxel, samples)).add(voxel);
+                parts.get(nearest(voxel, blocks)).add(voxel);
             }
         }
         return parts.stream().map(part -> new RibComponents.Rib(s, part));
     }
 
-    private int nearest(int voxel, List<IntList> parts) {
+    private int nearest(int voxel, List<VoxelBlocks> parts) {
         double[] distances = parts.stream()
-                .mapToDouble(part -> RibComponents.distance(s, s.point(voxel), part))
+                .mapToDouble(part -> part.distance(s.point(voxel)))
                 .toArray();
         return IntStream.range(0, distances.length)
                 .reduce((a, b) -> distances[b] < distances[a] ? b : a)

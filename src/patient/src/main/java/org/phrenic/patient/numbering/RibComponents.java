@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
@@ -230,9 +231,10 @@ final class RibComponents {
     /** Distances of some voxels of the shorter part from the longer one, mm. */
     private double[] distances(Rib longer, Rib shorter) {
         int stride = Math.max(1, shorter.voxels.size() / SAMPLES);
+        VoxelBlocks blocks = new VoxelBlocks(s, longer.voxels);
         return IntStream.iterate(0, i -> i < shorter.voxels.size(), i -> i + stride)
                 .map(shorter.voxels::get)
-                .mapToDouble(v -> distance(s, s.point(v), longer.voxels))
+                .mapToDouble(v -> blocks.distance(s.point(v)))
                 .toArray();
     }
 
@@ -278,30 +280,19 @@ final class RibComponents {
     /** Adds each fragment to the nearest of the ribs that it may go to; returns those that are near none. */
     List<Rib> attachFragments(Predicate<Rib> to) {
         List<Rib> left = new ArrayList<>();
+        List<Rib> open = ribs.stream().filter(to).toList();
+        List<VoxelBlocks> blocks =
+                open.stream().map(rib -> new VoxelBlocks(s, rib.voxels)).toList();
         for (Rib fragment : fragments) {
-            Optional<Rib> nearest = ribs.stream()
-                    .filter(to)
-                    .min(Comparator.comparingDouble(rib -> distance(s, fragment.centre, rib.voxels)));
-            if (nearest.isPresent() && distance(s, fragment.centre, nearest.get().voxels) < NEAR_MM) {
-                append(nearest.get(), fragment);
+            OptionalInt nearest = VoxelBlocks.nearest(blocks, fragment.centre, NEAR_MM);
+            if (nearest.isPresent()) {
+                append(open.get(nearest.getAsInt()), fragment);
+                blocks.get(nearest.getAsInt()).extend();
             } else {
                 left.add(fragment);
             }
         }
         return left;
-    }
-
-    static double distance(Segmentation s, double[] point, IntList voxels) {
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < voxels.size(); i++) {
-            double square = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                double d = s.coordinate(voxels.get(i), axis) - point[axis];
-                square += d * d;
-            }
-            least = Math.min(least, square);
-        }
-        return Math.sqrt(least);
     }
 
     /**
