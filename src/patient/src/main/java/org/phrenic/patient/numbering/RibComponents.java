@@ -23,6 +23,8 @@ import org.phrenic.patient.segmentation.VoxelRuns;
 final class RibComponents {
     /** Parts smaller than this share of the usual one are fragments. */
     private static final double FRAGMENT = 0.05;
+    /** Least share of the usual one of a last rib that lies apart below the others; the shortest have 0.03. */
+    private static final double LAST = 0.02;
 
     static final int MIN_VOXELS = 20;
     /** Share of a label or of a part from which an overlap counts. */
@@ -147,6 +149,7 @@ final class RibComponents {
             new RibSides(s, ribs).middle().orElse(acrossRibs),
             ribs.stream().mapToDouble(rib -> rib.centre[1]).average().orElse(0)
         };
+        ShortRibs.take(s, ribs, fragments, middle[0], Math.max(MIN_VOXELS, LAST * large));
         FusedRibs.partByLabels(s, ribs, middle);
         parted = isParted ? FusedRibs.part(s, ribs, middle[0]) : "";
         ribs.forEach(rib -> rib.findAngles(s, middle));

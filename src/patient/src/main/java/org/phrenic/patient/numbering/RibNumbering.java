@@ -39,6 +39,9 @@ final class RibNumbering {
     /** Difference in height of two vertebral ends that are not of one vertebra, mm. */
     private static final double APART_MM = 8;
 
+    /** Smallest volume of small parts that a note states, ml. */
+    private static final double LEAST_NOTED_ML = 0.1;
+
     private static final String BY_VERTEBRAE = "by their vertebrae";
 
     private final Segmentation s;
@@ -162,12 +165,15 @@ final class RibNumbering {
                 numbered.add(name);
             }
         }
-        apply(ribs, nameOf);
+        double rest = apply(ribs, nameOf);
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
                 + told(ways)
                 + (leftOut.isEmpty()
                         ? ""
                         : "; left out, away from the rib of their label: " + String.join(", ", leftOut))
+                + (rest < LEAST_NOTED_ML
+                        ? ""
+                        : String.format(Locale.ROOT, "; left out, in small parts away from all ribs: %.1f ml", rest))
                 + components.parted();
     }
 
@@ -263,8 +269,10 @@ final class RibNumbering {
     /**
      * Writes the numbers to the voxels; a part without a number stays left out. A fragment goes to the nearest numbered
      * rib, or is left out if none is near.
+     *
+     * @return volume of what is left out, ml
      */
-    private void apply(List<RibComponents.Rib> ribs, String[] nameOf) {
+    private double apply(List<RibComponents.Rib> ribs, String[] nameOf) {
         List<RibComponents.Rib> left = components.attachFragments(rib -> nameOf[ribs.indexOf(rib)] != null);
         left.forEach(fragment -> s.write(fragment.voxels, 0));
         TreeMap<String, List<Integer>> labels = new TreeMap<>();
@@ -285,5 +293,7 @@ final class RibNumbering {
             }
         }
         labels.forEach(s::setLabels);
+        return s.grid()
+                .volumeMl(left.stream().mapToInt(part -> part.voxels.size()).sum());
     }
 }

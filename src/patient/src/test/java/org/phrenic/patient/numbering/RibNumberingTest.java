@@ -176,6 +176,61 @@ class RibNumberingTest {
         assertThat(counts(s)).isEqualTo(truth);
     }
 
+    /** Twelfth ribs of a thirtieth of the usual one. */
+    private static CageVoxels withShortTwelfthRibs() {
+        CageVoxels cage = CageVoxels.withFloatingRibs();
+        for (boolean right : new boolean[] {true, false}) {
+            clear(cage, CageVoxels.rib(12, right));
+            for (int n = 0; n < 24; n++) {
+                cage.ball(44.5 + (right ? -1 : 1) * (6.5 + n), 52, 26 - n / 6, 0.5, CageVoxels.rib(12, right));
+            }
+        }
+        return cage;
+    }
+
+    @Test
+    void aShortTwelfthRibIsNoFragmentOfTheEleventh() {
+        for (boolean spine : new boolean[] {true, false}) {
+            CageVoxels cage = withShortTwelfthRibs();
+            cage = spine ? cage.withVertebrae(1) : cage;
+            Map<String, Integer> truth = counts(from(cage, 0));
+            assertThat(truth).containsEntry("rib_12_R", 24);
+            assertThat(24.0 / truth.get("rib_06_R")).isLessThan(0.05);
+            Segmentation common = cage.segmentation(CageVoxels.table(true));
+            assertThat(BoneNumbering.numberRibs(common))
+                    .singleElement()
+                    .asString()
+                    .startsWith("ribs: the 24 connected");
+            assertThat(counts(common)).isEqualTo(truth);
+            labelFrontOfSecondAsThird(cage);
+            Segmentation named = from(cage, 0);
+            assertThat(BoneNumbering.numberRibs(named))
+                    .singleElement()
+                    .asString()
+                    .contains("the 24 connected");
+            assertThat(counts(named)).isEqualTo(truth);
+        }
+    }
+
+    /** A lump beside the spine, and a line as long as a rib that the end of the scan cuts. */
+    @Test
+    void smallPartsThatAreNoLastRibAreLeftOutWithANote() {
+        CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
+        Map<String, Integer> truth = counts(from(cage, 12));
+        cage.ball(30, 55, 15, 1.9, CageVoxels.rib(12, true));
+        for (int n = 0; n < 24; n++) {
+            cage.ball(51 + n, 52, 12, 0.5, CageVoxels.rib(12, false));
+        }
+        byte[] labels = Arrays.copyOfRange(cage.labels, 12 * SLICE, cage.labels.length);
+        Segmentation s = new Segmentation(CageVoxels.volume(labels), CageVoxels.table(true), "scan");
+        assertThat(BoneNumbering.numberRibs(s))
+                .singleElement()
+                .asString()
+                .startsWith("ribs: the 24 connected")
+                .endsWith("; left out, in small parts away from all ribs: 1.4 ml");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     /** The eleventh right rib falls so steeply that in most directions it lies below the twelfth, which is level. */
     @Test
     void ribsBesideEachOtherFollowTheirVertebralEnds() {
