@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.BiPredicate;
+import java.util.stream.IntStream;
 import org.phrenic.patient.label.LabelTable;
 
 /**
@@ -13,9 +14,9 @@ import org.phrenic.patient.label.LabelTable;
  * the lung about them. Where one of them has, its largest component is the other lung if it is large enough and lies
  * beside the one, and vessels of the one otherwise; where it is both lungs, or far larger than the one, the one is a
  * lobe and the label is split as without it. Else the label is eroded until it separates into two large components side
- * by side, or has a small one beside the large one from the beginning, as where air or fluid about a lung makes it
- * collapse. These are then grown back, with each voxel assigned to the nearer one. The component closer to the
- * patient's right is the right lung.
+ * by side, or has a small one beside the large one soon, as where air or fluid about a lung makes it collapse, apart
+ * from the other or joined to it by the bronchi. These are then grown back, with each voxel assigned to the nearer one.
+ * The component closer to the patient's right is the right lung.
  */
 public final class LungSplitter {
     /**
@@ -35,6 +36,9 @@ public final class LungSplitter {
     private static final double MAX_WIDTH = 1.15;
 
     private static final int MAX_EROSIONS = 60;
+    /** Depth up to which a collapsed lung comes apart from the bronchi that join it to the other, mm. */
+    private static final double BRONCHUS_MM = 6;
+
     private static final String RIGHT = "lung_R";
     private static final String LEFT = "lung_L";
 
@@ -75,6 +79,11 @@ public final class LungSplitter {
         region.computeDepths();
         byte[] piece = new byte[region.cells()];
         int[] whole = new int[2];
+        Optional<String> tooSmall = Optional.empty();
+        double voxelMm = IntStream.range(0, 3)
+                .mapToDouble(segmentation.grid()::spacing)
+                .min()
+                .orElseThrow();
         for (int erosion = 0; erosion < MAX_EROSIONS; erosion++) {
             int[] sizes = region.connectedComponents(erosion, piece);
             int first = largest(sizes, 0);
@@ -83,7 +92,7 @@ public final class LungSplitter {
                 whole = new int[] {sizes[first], sizes[second]};
             }
             boolean isLarge = sizes[second] > MIN_SHARE * sizes[first];
-            if (second > 0 && (isLarge || erosion == 0)) {
+            if (second > 0 && (isLarge || erosion * voxelMm <= BRONCHUS_MM)) {
                 Place large = Place.of(segmentation, region, piece, first);
                 Place small = Place.of(segmentation, region, piece, second);
                 // The x axis points to the patient's left.
@@ -94,18 +103,35 @@ public final class LungSplitter {
                     divide(segmentation, region, piece, right, left);
                     return Optional.empty();
                 }
+                if (tooSmall.isEmpty() && erosion > 0 && small.isBeside(large)) {
+                    tooSmall = tooSmall(
+                            segmentation.grid().volumeMl(large.voxels),
+                            segmentation.grid().volumeMl(small.voxels));
+                }
             }
             if (first == 0) {
                 break;
             }
         }
         return Optional.of(refusal(
-                segmentation.grid().volumeMl(whole[0]), segmentation.grid().volumeMl(whole[1])));
+                segmentation.grid().volumeMl(whole[0]), segmentation.grid().volumeMl(whole[1]), tooSmall));
     }
 
-    private static String refusal(double firstMl, double secondMl) {
+    private static Optional<String> tooSmall(double largeMl, double smallMl) {
+        return smallMl < MIN_ML
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "one body that parts into two side by side of %.0f and %.0f ml, of which the second is too"
+                                + " small or does not lie at the height of the first",
+                        largeMl,
+                        smallMl));
+    }
+
+    /** @param tooSmall words on a body that parts into two of unlike size */
+    private static String refusal(double firstMl, double secondMl, Optional<String> tooSmall) {
         String found = secondMl < MIN_ML
-                ? "one body that does not part into two side by side"
+                ? tooSmall.orElse("one body that does not part into two side by side")
                 : String.format(
                         Locale.ROOT,
                         "a body of %.0f ml that does not part into two, and one of %.0f ml that is too small or does"

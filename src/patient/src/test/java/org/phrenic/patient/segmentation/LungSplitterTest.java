@@ -66,6 +66,28 @@ class LungSplitterTest {
     }
 
     @Test
+    void aLungThatHasCollapsedIsToldThoughABronchusJoinsItToTheOther() {
+        rightLung(1);
+        box(1, 30, 8, 10, 10, 15, 20);
+        box(1, 24, 14, 20, 6, 2, 2);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R")).isBetween(20 * 20 * 30, 20 * 20 * 30 + 24);
+        assertThat(count(s, "lung_L")).isBetween(10 * 15 * 20, 10 * 15 * 20 + 24);
+        assertThat(notes).isEmpty();
+    }
+
+    /** Gas in the stomach, at the base of the lung, touches it. */
+    @Test
+    void gasInTheAbdomenThatTouchesTheLungIsNoLung() {
+        rightLung(1);
+        box(1, 30, 8, 4, 10, 10, 10);
+        box(1, 24, 12, 8, 6, 2, 2);
+        assertThat(LungSplitter.split(segmentation(), notes).orElseThrow())
+                .contains("found one body that parts into two side by side of 1960 and 111 ml, of which the second is");
+    }
+
+    @Test
     void aLungThatHasCollapsedIsToldBesideALabelOfTheOther() {
         rightLung(2);
         box(1, 30, 8, 20, 9, 10, 10);
