@@ -1,6 +1,9 @@
 package org.phrenic.scenario;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
@@ -66,6 +69,27 @@ public record Assignment(String origin, Setting<?> setting, Object value) {
                 "--set " + text,
                 text.substring(0, equals).strip(),
                 text.substring(equals + 1).strip());
+    }
+
+    /**
+     * Live changes that turn a scenario into another during a run; empty if the scene must be assembled again. Name,
+     * steps and scheduled changes are ignored.
+     *
+     * @param origin of the assignments
+     */
+    public static Optional<List<Assignment>> liveChanges(Scenario from, Scenario to, String origin) {
+        List<Assignment> list = new ArrayList<>();
+        for (Setting<?> setting : Settings.all()) {
+            boolean counts =
+                    setting != RunSettings.NAME && setting != RunSettings.STEPS && setting != RunSettings.CHANGES;
+            if (counts && !from.text(setting).equals(to.text(setting))) {
+                if (!setting.isLive()) {
+                    return Optional.empty();
+                }
+                list.add(new Assignment(origin, setting, to.get(setting)));
+            }
+        }
+        return Optional.of(list);
     }
 
     private static String quote(String text) {

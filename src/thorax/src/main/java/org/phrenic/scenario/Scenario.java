@@ -1,13 +1,13 @@
 package org.phrenic.scenario;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.pattern.BreathingPreset;
@@ -27,8 +27,8 @@ import org.phrenic.parameter.SettingValues;
 
 /**
  * Description of a simulation: values for some of the {@link Settings}. All others have defaults, so an empty scenario
- * is a quiet breath of the virtual adult male. Immutable. Two scenarios are equal if they resolve to the same
- * {@link #toMap}.
+ * is a quiet breath of the virtual adult male. Immutable. Two scenarios are equal if all their settings have equal
+ * values, stated or by default.
  */
 public final class Scenario implements SettingValues {
     private static final Scenario DEFAULTS = new Scenario(Map.of());
@@ -76,7 +76,16 @@ public final class Scenario implements SettingValues {
      * @throws BadInputException with one sentence that names the origin of the value and the key
      */
     public Scenario with(List<Assignment> assignments) {
-        return assigned(assignments, false);
+        return assigned(assignments, setting -> setting.isLive() && !isOfPreset(setting));
+    }
+
+    /**
+     * Copy of this scenario after changes during a run: what the preset gives as well is given by it again.
+     *
+     * @throws BadInputException with one sentence that names the origin of the value and the key
+     */
+    public Scenario changed(List<Assignment> assignments) {
+        return assigned(assignments, Setting::isLive);
     }
 
     /**
@@ -86,22 +95,28 @@ public final class Scenario implements SettingValues {
      * @throws BadInputException with one sentence that names the origin of the value and the key
      */
     public Scenario stating(List<Assignment> assignments) {
-        return assigned(assignments, true);
+        Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
+        return assigned(values, assignments, setting -> false);
     }
 
-    private Scenario assigned(List<Assignment> assignments, boolean defaultsToo) {
+    private Scenario assigned(List<Assignment> assignments, Predicate<Setting<?>> leftAtDefault) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
+        values.keySet().removeAll(MaterialDefaults.leftBy(this, assignments));
+        return assigned(values, assignments, leftAtDefault);
+    }
+
+    /** @param leftAtDefault settings that are not stated where their value is the default of material and preset */
+    private static Scenario assigned(
+            Map<Setting<?>, Object> values, List<Assignment> assignments, Predicate<Setting<?>> leftAtDefault) {
         Map<Setting<?>, String> origins = new LinkedHashMap<>();
-        if (!defaultsToo) {
-            values.keySet().removeAll(MaterialDefaults.leftBy(this, assignments));
-        }
         for (Assignment assignment : assignments) {
             values.put(assignment.setting(), assignment.value());
             origins.put(assignment.setting(), assignment.origin());
         }
-        if (!defaultsToo) {
-            values.keySet().removeIf(setting -> origins.containsKey(setting) && isMaterialDefault(values, setting));
-        }
+        values.keySet()
+                .removeIf(setting -> origins.containsKey(setting)
+                        && leftAtDefault.test(setting)
+                        && values.get(setting).equals(new Scenario(values).defaultOf(setting)));
         Scenario scenario = new Scenario(values);
         return ScenarioChecks.require(scenario, origins.keySet(), (setting, problem) -> {
             String origin = origins.getOrDefault(setting, "");
@@ -110,10 +125,8 @@ public final class Scenario implements SettingValues {
         });
     }
 
-    /** Whether a value equals the default of the material. Such a value changes with the material. */
-    private static boolean isMaterialDefault(Map<Setting<?>, Object> values, Setting<?> setting) {
-        boolean ofPreset = setting instanceof Parameter p && p.isGivenByPreset();
-        return setting.isLive() && !ofPreset && values.get(setting).equals(new Scenario(values).defaultOf(setting));
+    private static boolean isOfPreset(Setting<?> setting) {
+        return setting instanceof Parameter parameter && parameter.isGivenByPreset();
     }
 
     /** Copy of this scenario with other values, each as {@code key=value}. */
@@ -184,27 +197,6 @@ public final class Scenario implements SettingValues {
     @Override
     public boolean states(Setting<?> setting) {
         return stated.containsKey(setting);
-    }
-
-    /**
-     * Live changes that turn this scenario into another during a run; empty if the scene must be assembled again. Name,
-     * steps and scheduled changes are ignored.
-     *
-     * @param origin of the assignments
-     */
-    public Optional<List<Assignment>> liveChangesTo(Scenario other, String origin) {
-        List<Assignment> list = new ArrayList<>();
-        for (Setting<?> setting : Settings.all()) {
-            boolean counts =
-                    setting != RunSettings.NAME && setting != RunSettings.STEPS && setting != RunSettings.CHANGES;
-            if (counts && !text(setting).equals(other.text(setting))) {
-                if (!setting.isLive()) {
-                    return Optional.empty();
-                }
-                list.add(new Assignment(origin, setting, other.get(setting)));
-            }
-        }
-        return Optional.of(list);
     }
 
     public String name() {
@@ -303,9 +295,13 @@ public final class Scenario implements SettingValues {
      * value comes from the preset are omitted.
      */
     public Map<String, Object> toMap() {
+        return toMap(false);
+    }
+
+    private Map<String, Object> toMap(boolean ofPresetToo) {
         Map<String, Object> map = new LinkedHashMap<>();
         for (Setting<?> setting : Settings.all()) {
-            boolean ofPreset = setting instanceof Parameter p && p.isGivenByPreset() && !states(p);
+            boolean ofPreset = !ofPresetToo && isOfPreset(setting) && !states(setting);
             Object plain =
                     ofPreset || setting == RunSettings.CHANGES || setting == RunSettings.STEPS ? null : plain(setting);
             if (plain != null) {
@@ -333,12 +329,12 @@ public final class Scenario implements SettingValues {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof Scenario scenario && toMap().equals(scenario.toMap());
+        return other instanceof Scenario scenario && toMap(true).equals(scenario.toMap(true));
     }
 
     @Override
     public int hashCode() {
-        return toMap().hashCode();
+        return toMap(true).hashCode();
     }
 
     @Override

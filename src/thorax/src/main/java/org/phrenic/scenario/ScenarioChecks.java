@@ -71,7 +71,7 @@ final class ScenarioChecks {
             }
             before = change.step();
             change.assignment().requireLive();
-            now = now.with(List.of(change.assignment()));
+            now = now.changed(List.of(change.assignment()));
         }
         return scenario;
     }

@@ -78,7 +78,7 @@ final class LiveTuning {
         Map<Setting<?>, Assignment> changes = new LinkedHashMap<>();
         log.stream().filter(c -> c.step() == step).forEach(c -> putLast(changes, c.assignment()));
         assignments.forEach(a -> putLast(changes, a));
-        Scenario after = before.with(List.copyOf(changes.values()));
+        Scenario after = before.changed(List.copyOf(changes.values()));
 
         // Invalid breathing settings are refused before anything changes.
         boolean newPattern = hasEffect(changes, Effect.NEW_PATTERN);
@@ -193,7 +193,7 @@ final class LiveTuning {
         }
         long cut = startOfDrag(last);
         undoneTo = cut;
-        Scenario then = start.with(log.stream()
+        Scenario then = start.changed(log.stream()
                 .filter(c -> c.step() < cut)
                 .map(ScheduledChange::assignment)
                 .toList());

@@ -47,7 +47,7 @@ public final class ScheduleCheck {
         Optional<Assignment> breath = Optional.empty();
         for (int i = 0; i < changes.size(); i++) {
             Assignment change = changes.get(i).assignment();
-            now = now.with(List.of(change));
+            now = now.changed(List.of(change));
             breath = change.setting().effect().isOfPattern() ? Optional.of(change) : breath;
             boolean lastOfStep = i + 1 == changes.size()
                     || changes.get(i + 1).step() != changes.get(i).step();

@@ -60,6 +60,23 @@ class ScenarioTest {
     }
 
     @Test
+    void aChangeToWhatThePresetGivesStatesNothing() {
+        Scenario slow = Scenario.defaults().with("rate_per_min=9");
+        Scenario back = slow.changed(List.of(Assignment.parse("rate_per_min=15")));
+        assertThat(back.states(Breathing.RATE)).isFalse();
+        assertThat(back.changed(List.of(Assignment.parse("preset=deep"))).get(Breathing.RATE))
+                .isEqualTo(7.5);
+    }
+
+    @Test
+    void aValueThatIsStatedEqualsTheSameByDefault() {
+        Scenario stated = Scenario.defaults().with("rate_per_min=15");
+        assertThat(stated.states(Breathing.RATE)).isTrue();
+        assertThat(stated).isEqualTo(Scenario.defaults()).hasSameHashCodeAs(Scenario.defaults());
+        assertThat(stated.with("preset=deep")).isNotEqualTo(Scenario.defaults().with("preset=deep"));
+    }
+
+    @Test
     void everyKeyCanBeGivenAndComesBack() throws IOException {
         Path body = Files.createDirectory(folder.resolve("body"));
         Files.writeString(folder.resolve("curve.csv"), "time_s,amplitude\n0,0\n1,1\n2,0\n3,1\n4,0\n5,1\n6,0\n7,1\n");

@@ -134,7 +134,7 @@ public final class BreathDock extends SessionDock {
         String before = ChoiceRow.displayName(scenario.preset());
         EditName change = new EditName("Breathing", before, ChoiceRow.displayName(name));
         if (scenario.trace().isPresent()) {
-            session.open(change, scenario.without(Breathing.TRACE).with(list));
+            session.open(change, scenario.without(Breathing.TRACE).changed(list));
         } else {
             session.changeSeparately(change, list);
         }

@@ -193,8 +193,7 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     /** Whether the present values are those that the last press went to. */
     private boolean isAsSwitched() {
         return wentTo != null
-                && session.userScenario()
-                        .liveChangesTo(wentTo, "window")
+                && Assignment.liveChanges(session.userScenario(), wentTo, "window")
                         .filter(List::isEmpty)
                         .isPresent();
     }
@@ -257,7 +256,7 @@ public final class SettingsDock extends JPanel implements Session.Listener {
         reportingErrors(() -> {
             EditName change = EditName.of("Settings '" + name + "'");
             // Settings that differ in live parameters alone change without reloading the scene.
-            Optional<List<Assignment>> live = session.scenario().liveChangesTo(stored, "window");
+            Optional<List<Assignment>> live = Assignment.liveChanges(session.scenario(), stored, "window");
             live.ifPresentOrElse(
                     changes -> session.changeSeparately(change, changes), () -> session.open(change, stored));
         });

@@ -88,7 +88,7 @@ final class EditedScenario {
 
     private void setValues(List<Assignment> assignments) {
         Scenario now = present.get();
-        Scenario next = now.with(assignments);
+        Scenario next = now.changed(assignments);
         live.change(assignments);
         requested = next;
         if (!assignments.stream().allMatch(a -> a.setting().isLive())) {

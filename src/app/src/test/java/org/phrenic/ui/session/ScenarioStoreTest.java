@@ -16,6 +16,7 @@ import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Materials;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.model.material.SheetSprings;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
 class ScenarioStoreTest {
@@ -32,7 +33,7 @@ class ScenarioStoreTest {
         assertThat(store.names()).containsExactly("another", "Stiff, deep");
         Scenario back = store.load("Stiff, deep");
         assertThat(back.name()).isEqualTo("Stiff, deep");
-        assertThat(back.liveChangesTo(stiff, "test"))
+        assertThat(Assignment.liveChanges(back, stiff, "test"))
                 .hasValueSatisfying(d -> assertThat(d).isEmpty());
         store.delete("another");
         assertThat(store.names()).containsExactly("Stiff, deep");
@@ -98,9 +99,10 @@ class ScenarioStoreTest {
     @Test
     void onlyWhatCanChangeWhileItBreathesIsALiveDifference() {
         Scenario quiet = Scenario.defaults();
-        assertThat(quiet.liveChangesTo(quiet.with("depth=1.2", "rate_per_min=20"), "test"))
+        assertThat(Assignment.liveChanges(quiet, quiet.with("depth=1.2", "rate_per_min=20"), "test"))
                 .hasValueSatisfying(
                         list -> assertThat(list).extracting("key").containsExactlyInAnyOrder("depth", "rate_per_min"));
-        assertThat(quiet.liveChangesTo(quiet.with("resolution=low"), "test")).isEmpty();
+        assertThat(Assignment.liveChanges(quiet, quiet.with("resolution=low"), "test"))
+                .isEmpty();
     }
 }

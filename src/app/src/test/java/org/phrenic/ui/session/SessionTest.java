@@ -130,6 +130,23 @@ class SessionTest {
         }
     }
 
+    /** So that another preset breathes at its own rate again. */
+    @Test
+    void whatThePresetGivesIsGivenByItAgainAfterUndo() {
+        try (Session session = running()) {
+            for (String change : List.of("rate_per_min=20", "inspiratory_fraction=0.3", "chest_share=0.7")) {
+                EventThread.run(() -> {
+                    Scenario before = session.scenario();
+                    session.change(EditName.of(change), Assignment.parse(change));
+                    assertThat(session.scenario()).isNotEqualTo(before);
+                    session.edits().undo();
+                    assertThat(session.scenario()).isEqualTo(before);
+                    assertThat(session.scenario().statedMap()).isEqualTo(before.statedMap());
+                });
+            }
+        }
+    }
+
     private static Object value(Session session, String key) {
         return session.scenario().toMap().get(key);
     }

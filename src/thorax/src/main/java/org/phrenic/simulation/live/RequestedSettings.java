@@ -31,7 +31,7 @@ final class RequestedSettings {
      * @throws org.phrenic.file.BadInputException if they are invalid; then nothing has changed
      */
     synchronized Optional<Scenario> request(List<Assignment> assignments) {
-        current = current.with(assignments);
+        current = current.changed(assignments);
         if (!assignments.stream().allMatch(a -> a.setting().isLive())) {
             loading = true;
             return Optional.of(current);
@@ -85,7 +85,7 @@ final class RequestedSettings {
     /** Adopts the settings of the simulation; pending changes stay applied on top. */
     synchronized void followRunning(Scenario running) {
         if (!loading) {
-            current = pending.isEmpty() ? running : running.with(new ArrayList<>(pending.values()));
+            current = pending.isEmpty() ? running : running.changed(new ArrayList<>(pending.values()));
         }
     }
 }
