@@ -152,7 +152,7 @@ public final class Scenario implements SettingValues {
      */
     public Scenario withMaterial(TissueMaterial material) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
-        values.keySet().removeIf(setting -> Materials.ofSome().contains(setting) && !material.uses(setting));
+        values.keySet().removeIf(setting -> !Materials.isUsed(setting, material));
         values.keySet().removeAll(MaterialDefaults.leftBy(this, material));
         values.put(Materials.MATERIAL, material);
         return new Scenario(values);

@@ -37,6 +37,11 @@ public final class Materials {
                 .toList();
     }
 
+    /** Whether a setting has a use with a material, and not with others alone. */
+    public static boolean isUsed(Setting<?> setting, TissueMaterial material) {
+        return material.uses(setting) || !ofSome().contains(setting);
+    }
+
     /** The parameters of all materials. */
     public static List<Parameter> parameters() {
         return ALL.stream().flatMap(m -> m.parameters().stream()).distinct().toList();

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.phrenic.model.material.Materials;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -43,13 +44,18 @@ final class RequestedSettings {
         return Optional.empty();
     }
 
-    /** Removes and returns the pending changes: each setting once, with its last value. */
-    synchronized List<Assignment> takePending() {
+    /**
+     * Removes and returns the pending changes that the material of the running scene uses: each setting once, with its
+     * last value. The others are for the scene that loads.
+     */
+    synchronized List<Assignment> takePending(Scenario running) {
         if (pending.isEmpty()) {
             return List.of();
         }
-        List<Assignment> taken = new ArrayList<>(pending.values());
-        pending.clear();
+        List<Assignment> taken = pending.values().stream()
+                .filter(change -> Materials.isUsed(change.setting(), running.material()))
+                .toList();
+        pending.values().removeAll(taken);
         return taken;
     }
 
@@ -82,9 +88,10 @@ final class RequestedSettings {
         loading = false;
     }
 
-    /** Adopts the settings of the simulation; pending changes stay applied on top. */
+    /** Adopts the settings of the simulation; pending changes that its material uses stay applied on top. */
     synchronized void followRunning(Scenario running) {
         if (!loading) {
+            pending.keySet().removeIf(setting -> !Materials.isUsed(setting, running.material()));
             current = pending.isEmpty() ? running : running.changed(new ArrayList<>(pending.values()));
         }
     }

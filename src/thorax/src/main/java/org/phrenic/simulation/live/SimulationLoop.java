@@ -188,7 +188,7 @@ final class SimulationLoop implements Runnable {
         if (running == null) {
             return;
         }
-        List<Assignment> now = settings.takePending();
+        List<Assignment> now = settings.takePending(running.simulation.settings());
         if (now.isEmpty()) {
             return;
         }

@@ -3,12 +3,14 @@ package org.phrenic.simulation.live;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.StructureKind;
@@ -32,6 +34,9 @@ class LiveRunTest extends LiveRunHarness {
     private static final String[] UNBEARABLE = {
         "area_density_kg_per_m2=3", "greatest_pressure_kpa=20", "damping_rate_per_s=0", "muscle_stiffness_n_per_m=30"
     };
+
+    @TempDir
+    Path folder;
 
     private static double value(Frame frame, String column) {
         return frame.values()[Observation.COLUMNS.indexOf(column)];
@@ -135,6 +140,35 @@ class LiveRunTest extends LiveRunHarness {
         assertThat(run.copyNewestFrame(first.newFrame().get()))
                 .as("a frame of the old scene")
                 .isFalse();
+    }
+
+    /** The window offers what the scene that loads uses. */
+    @Test
+    void aChangeThatOnlyTheComingSceneTakesWaitsForIt() throws InterruptedException {
+        start();
+        next(scenes);
+        run.play();
+        change("material=paper");
+        change("muscle_force_mn=3");
+        steps(5);
+        assertThat(next(scenes).scenario().material().label()).isEqualTo("paper");
+        assertThat(run.scenario().toMap()).containsEntry("muscle_force_mn", 3.0);
+        until(() -> !run.recordedScenario().changes().isEmpty());
+        assertThat(failures).isEmpty();
+    }
+
+    @Test
+    void aChangeForASceneThatCannotBeLoadedIsForgottenAndTheReasonToldOnce() throws InterruptedException {
+        start();
+        next(scenes);
+        run.play();
+        change("material=paper", "anatomy=" + folder);
+        change("muscle_force_mn=3");
+        assertThat(next(failures)).contains(folder.toString());
+        until(() -> run.scenario().material().label().equals("physical"));
+        steps(5);
+        assertThat(run.isPlaying()).isTrue();
+        assertThat(failures).isEmpty();
     }
 
     /** Organs that were called off are not taken to be there. */
