@@ -34,6 +34,8 @@ import org.phrenic.scenario.ScheduledChange;
  */
 final class LiveTuning {
     private static final String UNDO = "undo";
+    /** Origin of an assignment that changes nothing but where a run goes on from. */
+    private static final String GO_ON = "go on";
     /** Changes of the same settings in shorter intervals are one, such as the drag of a slider, s. */
     private static final double SAME_DRAG_S = 1;
 
@@ -182,10 +184,11 @@ final class LiveTuning {
      * to the start. Empty if there is nothing to undo.
      */
     List<Assignment> undoAssignments() {
-        if (log.isEmpty()) {
-            return List.of();
-        }
-        boolean again = UNDO.equals(log.get(log.size() - 1).assignment().origin());
+        boolean again = log.stream()
+                .filter(c -> !isOnlyGoingOn(c))
+                .reduce((first, second) -> second)
+                .map(c -> UNDO.equals(c.assignment().origin()))
+                .orElse(false);
         long before = again ? undoneTo : Long.MAX_VALUE;
         long last = lastChangedStep(before);
         if (last < 0) {
@@ -205,9 +208,20 @@ final class LiveTuning {
                 .toList();
     }
 
+    /** What notes that a run goes on from here, where no change does; empty where one does. */
+    List<Assignment> goingOn() {
+        boolean changed = log.stream().anyMatch(c -> c.step() == stepper.steps());
+        return changed ? List.of() : List.of(Assignment.of(GO_ON, Breathing.HOLD, settings.hold()));
+    }
+
+    private static boolean isOnlyGoingOn(ScheduledChange change) {
+        return GO_ON.equals(change.assignment().origin());
+    }
+
     /** The last step before a step that has changes; -1 if none has. */
     private long lastChangedStep(long before) {
         return log.stream()
+                .filter(c -> !isOnlyGoingOn(c))
                 .mapToLong(ScheduledChange::step)
                 .filter(step -> step < before)
                 .max()

@@ -306,6 +306,11 @@ public final class Simulation implements AutoCloseable {
         return !back.isEmpty();
     }
 
+    /** To be called where steps follow a divergence: a run that repeats {@link #changes} then goes the same way. */
+    public void goOn() {
+        tuning.goingOn().forEach(this::change);
+    }
+
     /** The initial scenario, without changes. */
     public Scenario start() {
         return start;

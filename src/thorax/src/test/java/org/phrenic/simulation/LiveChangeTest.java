@@ -182,6 +182,25 @@ class LiveChangeTest {
         }
     }
 
+    /** The state that comes back is one that no change has saved. */
+    @Test
+    void soItDoesWithoutAChangeWhichItsChangesThenTell() {
+        Scenario start = Runs.scenario("preset=deep", "lungs=springs", SMALL, "threads=2");
+        try (Simulation simulation = Runs.simulation(start)) {
+            steps(simulation, 300);
+            simulation.system().velocities()[0] = Double.NaN;
+            assertThatExceptionOfType(DivergenceException.class).isThrownBy(simulation::step);
+            assertThat(simulation.steps()).isEqualTo(256);
+            simulation.goOn();
+            steps(simulation, 100);
+            try (Simulation again = Runs.simulation(start.withChanges(simulation.changes()))) {
+                steps(again, 356);
+                assertThat(again.stateHash()).isEqualTo(simulation.stateHash());
+            }
+            assertThat(simulation.undoLastChange()).as("anything to undo").isFalse();
+        }
+    }
+
     @Test
     void soDoTheKeysOfSternumAndLungsInTheWholeScene() {
         Scenario start = Runs.scenario(SMALL, "threads=2");

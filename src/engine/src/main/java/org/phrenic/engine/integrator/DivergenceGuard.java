@@ -31,8 +31,8 @@ final class DivergenceGuard {
     /** Least distance from the sides of the box in an automatic checkpoint, mm. */
     private static final double CALM_MARGIN_MM = 10;
     /**
-     * Number of steps after a restored checkpoint in which displacement is not checked, so that outward motion can
-     * reverse.
+     * Number of steps after a restored checkpoint, and after that of a change, in which displacement is not checked, so
+     * that outward motion can reverse. A run that repeats the changes of another diverges where that does.
      */
     private static final long STEPS_TO_TURN_ROUND = 256;
 
@@ -107,12 +107,18 @@ final class DivergenceGuard {
         checkpoint(0, 0);
     }
 
+    /** Step of the checkpoint. */
+    long checkpointStep() {
+        return checkpointStep;
+    }
+
     /**
      * Saves the current state as checkpoint, unless it has diverged.
      *
-     * @param kept number of steps in which no automatic checkpoint replaces it
+     * @param kept number of steps in which no automatic checkpoint replaces it; 0 for one that no change follows
      */
     void checkpoint(long step, long kept) {
+        measuredFrom = kept > 0 ? step + STEPS_TO_TURN_ROUND : measuredFrom;
         if (isGood()) {
             replaceableFrom = step + Math.max(kept, STEPS_BETWEEN_SNAPSHOTS);
             System.arraycopy(system.positions(), 0, checkpointX, 0, checkpointX.length);

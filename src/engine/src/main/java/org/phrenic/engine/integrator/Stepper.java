@@ -38,8 +38,7 @@ public final class Stepper {
     private int refinement = 1;
 
     private String substepRefinementReason = "";
-    /** Substeps at the last {@link #checkpoint}. */
-    private Splitting atCheckpoint = Splitting.NONE;
+    private Splitting atCheckpoint;
     /** What was set before the last change; null before the first. */
     private Setup before;
 
@@ -50,9 +49,7 @@ public final class Stepper {
     private double segmentTime;
 
     /** How steps are split from a step on. */
-    private record Splitting(long step, int substeps, int apart, int refinement, String reason) {
-        static final Splitting NONE = new Splitting(-1, 1, 1, 1, "");
-    }
+    private record Splitting(long step, int substeps, int apart, int refinement, String reason) {}
 
     /** What a change at the step of the splitting may replace. */
     private record Setup(
@@ -85,11 +82,16 @@ public final class Stepper {
         this.guard = new DivergenceGuard(integrator.system());
         this.watch = new ChatterDetector(integrator.system());
         apply(measured);
+        atCheckpoint = splitting();
     }
 
     /** Recomputes the stability limit. Call it after stiffness, mass or damping changed. */
     public void measureStabilityLimit() {
         apply(StabilityLimit.of(integrator.system()));
+        if (before == null || before.splitting.step != atCheckpoint.step) {
+            // No change is taken back with this checkpoint, so the new limit holds there, too.
+            atCheckpoint = new Splitting(atCheckpoint.step, substeps, stepsApart, refinement, substepRefinementReason);
+        }
     }
 
     /**
@@ -190,7 +192,11 @@ public final class Stepper {
 
     private void saveCheckpoint() {
         guard.checkpoint(steps, trialSteps());
-        atCheckpoint = splitting();
+        keepSplitting();
+    }
+
+    private void keepSplitting() {
+        atCheckpoint = guard.checkpointStep() == steps ? splitting() : atCheckpoint;
     }
 
     private Splitting splitting() {
@@ -221,7 +227,7 @@ public final class Stepper {
         segmentTime = 0;
         integrator = first;
         apply(measured);
-        atCheckpoint = Splitting.NONE;
+        atCheckpoint = splitting();
         before = null;
         guard.restart();
     }
@@ -241,7 +247,8 @@ public final class Stepper {
     public void step() {
         if (steps == 0) {
             // Changes since construction belong to the initial state.
-            guard.checkpoint(0, atCheckpoint.step == 0 ? trialSteps() : 0);
+            guard.checkpoint(0, isChanged() ? trialSteps() : 0);
+            keepSplitting();
         }
         double h = dt / substeps;
         int chattering = -1;
@@ -259,14 +266,13 @@ public final class Stepper {
             long failed = steps;
             steps = guard.restore();
             integrator.system().invalidate();
-            if (atCheckpoint.step == steps) {
-                // The run goes on as one that never left the checkpoint of a change.
-                restore(atCheckpoint);
-            }
+            // The run goes on as one that never left the checkpoint.
+            restore(atCheckpoint);
             integrator.reset();
             watch.reset();
             throw new DivergenceException(segmentTime + (failed - segmentStep) * dt, time(), cause);
         }
+        keepSplitting();
     }
 
     /**

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.engine.ForceField;
@@ -339,13 +340,17 @@ class StepperTest {
      * A spring that becomes almost three times as stiff without telling, as a scene under load does; it swings by 1 mm.
      */
     private static ParticleSystem stiffening() {
+        return stiffening(1);
+    }
+
+    private static ParticleSystem stiffening(double fromS) {
         ParticleSystem system = fast();
         system.add(new ForceField() {
             private double more;
 
             @Override
             public void prepare(double time) {
-                more = time > 1 ? 284.7 : 0;
+                more = time > fromS ? 284.7 : 0;
             }
 
             @Override
@@ -392,6 +397,37 @@ class StepperTest {
         assertThat(stepper.substepRefinementReason()).isEmpty();
     }
 
+    /** Of which no change was made: every 256 steps, and at the start. */
+    @ParameterizedTest
+    @CsvSource({"1, 0", "8, 256"})
+    void aReturnToAnyStateRestoresTheSubstepsThatItHad(double stiffFromS, long backTo) {
+        ParticleSystem system = stiffening(stiffFromS);
+        Stepper stepper = stepper(system, 0.03, StepPolicy.SUBSTEP);
+        while (stepper.substeps() == 1) {
+            stepper.step();
+        }
+        assertThat(stepper.steps()).isLessThan(backTo + 256);
+        system.velocities()[0] = Double.NaN;
+        assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+        assertThat(stepper.steps()).isEqualTo(backTo);
+        assertThat(stepper.substeps()).isEqualTo(1);
+        assertThat(stepper.substepRefinementReason()).isEmpty();
+    }
+
+    /** No change is taken back then, so what was measured last holds for the state that comes back, too. */
+    @Test
+    void aReturnKeepsALimitThatWasMeasuredSince() {
+        ParticleSystem system = fast();
+        Stepper stepper = stepper(system, 0.04, StepPolicy.SUBSTEP);
+        stepper.step();
+        system.masses()[0] /= 4;
+        system.inverseMasses()[0] *= 4;
+        stepper.measureStabilityLimit();
+        system.velocities()[0] = Double.NaN;
+        assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+        assertThat(stepper.substeps()).isEqualTo(2);
+    }
+
     @Test
     void refusingStepperSaysThatASceneChatters() {
         ParticleSystem system = fast();
@@ -425,6 +461,24 @@ class StepperTest {
         // 250 mm take 2.5 s; it is looked for every 16 steps.
         assertThat(stepper.time()).isLessThan(2.5);
         assertThat(Math.abs(system.positions()[0] - home)).isLessThan(250);
+    }
+
+    /** So that a run that makes the same changes without a divergence goes the same way. */
+    @Test
+    void afterAChangeANodeHasTheTimeToTurnRoundThatItHasAfterAReturn() {
+        ParticleSystem system = SampleSystems.oscillator(0.1, 1e-6, 0);
+        Stepper stepper = stepper(system, 0.01, StepPolicy.SUBSTEP);
+        stepper.boundDisplacement(250);
+        system.velocities()[0] = 100;
+        while (stepper.steps() < 240) {
+            stepper.step();
+        }
+        stepper.checkpoint();
+        while (stepper.steps() < 240 + 255) {
+            stepper.step();
+        }
+        assertThatThrownBy(stepper::step).hasMessageContaining("the bound is 250 mm");
+        assertThat(stepper.steps()).isEqualTo(240);
     }
 
     @Test

@@ -144,6 +144,7 @@ final class SimulationLoop implements Runnable {
 
     /** Steps until a number of steps is done, the next step is not yet due, or the time is up. */
     void advance(RunningScene now, long most, long untilNs) {
+        divergence.ifPresent(made -> now.simulation.goOn());
         divergence = Optional.empty();
         try {
             for (long i = 0; i < most; i++) {
