@@ -7,6 +7,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.LiverPart;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -81,7 +82,7 @@ public final class PresetRun {
     /** Further observables that a scene does not have. */
     private static List<String> unknown(Scene scene) {
         List<String> unknown = new ArrayList<>();
-        if (scene.liver().isEmpty()) {
+        if (scene.liver().filter(LiverPart::isCarried).isEmpty()) {
             unknown.addAll(OF_LIVER);
         }
         if (UnknownObservables.of(scene).contains("sternum_ventral_mm")) {

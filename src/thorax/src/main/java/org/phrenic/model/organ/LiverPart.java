@@ -41,6 +41,9 @@ public final class LiverPart {
     private static final double ROTATION_RESISTANCE = 0.6;
 
     private static final double LOWEST_SHARE = 0.82;
+    /** Points that a rotation is fitted to. */
+    private static final int LEAST_POINTS = 3;
+
     private static final int MIN_BARE_AREA_VERTICES = 12;
 
     /** Points of the diaphragm farther than this from the liver at rest never touch it. */
@@ -114,7 +117,7 @@ public final class LiverPart {
         for (int i : abdominal) {
             indentation.allowRestDepth(sheet.x(i), sheet.y(i), sheet.z(i));
         }
-        if (bareArea > 0) {
+        if (isCarried()) {
             measure(sheet.positions(), vertices);
         }
     }
@@ -137,6 +140,11 @@ public final class LiverPart {
     /** The same liver with working memory of its own, for another thread. */
     public LiverPart copy() {
         return new LiverPart(this);
+    }
+
+    /** Whether the diaphragm is near enough to carry this liver; else it stands still. */
+    public boolean isCarried() {
+        return bareArea > 0 && roofNodes.length >= LEAST_POINTS;
     }
 
     private static int[] roofNodes(Diaphragm d, double[] normals, double[] distance, double reach) {
@@ -202,7 +210,7 @@ public final class LiverPart {
      * @param now current positions of the whole scene, caller's order
      */
     public double[] positions(double[] rest, double[] now) {
-        if (bareArea == 0) {
+        if (!isCarried()) {
             return moved;
         }
         updateRigidMotion(rest, now);

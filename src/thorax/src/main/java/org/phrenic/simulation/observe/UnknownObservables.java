@@ -6,10 +6,11 @@ import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.LiverPart;
 import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.model.organ.SternumModel;
 
-/** Observables of structures that a scene lacks: they are unknown, not 0. */
+/** Observables of structures that a scene lacks, or of which it has no motion: they are unknown, not 0. */
 public final class UnknownObservables {
     private static final List<String> OF_LIVER = List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm");
     private static final List<String> OF_LUNGS = List.of("lung_volume_change_ml");
@@ -21,7 +22,7 @@ public final class UnknownObservables {
     /** Columns of {@link Observation} that are NaN in a scene. */
     public static Set<String> of(Scene scene) {
         Set<String> unknown = new LinkedHashSet<>();
-        if (scene.liver().isEmpty()) {
+        if (scene.liver().filter(LiverPart::isCarried).isEmpty()) {
             unknown.addAll(OF_LIVER);
         }
         if (scene.lungs().isEmpty() && scene.embeddedLungs().isEmpty()) {

@@ -3,6 +3,7 @@ package org.phrenic.model.organ;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Diaphragm;
@@ -22,15 +23,32 @@ class LiverPartTest {
 
     private final TriangleMesh sheet = DomeSheet.of(130, 90, 6, 3, 20, 0);
     private final TriangleMesh liver = lowered(DomeSheet.of(100, 70, 6, 3, 20, 0), 10);
-    private final LiverPart part = part();
+    private final LiverPart part = part(liver);
 
-    private LiverPart part() {
+    private LiverPart part(TriangleMesh liver) {
         Diaphragm diaphragm = Diaphragm.withTrefoilTendon(sheet);
         double[] noCrura = new double[sheet.vertexCount()];
         DiaphragmPart.Tissue tissue = new DiaphragmPart.Tissue(TissueLaw.membrane(300, 3), 10, 1, true, noCrura, 1, 1);
         return new LiverPart(
                 new Structure("liver", StructureKind.LIVER, 0, Side.RIGHT, liver),
                 new DiaphragmPart(diaphragm, tissue, new MassSpringBuilder()));
+    }
+
+    /** Near the distance from which nothing carries it, a point or two of the roof are in reach. */
+    @Test
+    void aLiverThatHardlyAnythingCarriesStandsStillOrMoves() {
+        int still = 0;
+        int tried = 40;
+        for (int i = 0; i < tried; i++) {
+            LiverPart low = part(lowered(liver, 20 + i));
+            double[] now = moved(sheet.positions(), p -> new double[] {p[0], p[1], p[2] - 10});
+            double[] at = low.positions(sheet.positions(), now);
+            assertThat(at).as("%d", i).doesNotContain(Double.NaN);
+            boolean stands = Arrays.equals(at, low.structure.mesh().positions());
+            assertThat(low.isCarried()).as("%d", i).isEqualTo(!stands);
+            still += stands ? 1 : 0;
+        }
+        assertThat(still).isBetween(1, tried - 1);
     }
 
     private static TriangleMesh lowered(TriangleMesh mesh, double mm) {

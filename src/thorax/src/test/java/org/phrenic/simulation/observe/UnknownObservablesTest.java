@@ -38,6 +38,30 @@ class UnknownObservablesTest {
         assertThat(unknown("kinematic", s -> true)).containsExactlyInAnyOrder(OF_LIVER);
     }
 
+    /** As with ascites: the roof of the liver lies too far below the sheet to be carried by it. */
+    @Test
+    void theMotionOfALiverThatNothingCarriesIsUnknown() {
+        Thorax whole = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        for (double lowered : new double[] {0, 60}) {
+            Thorax body = new Thorax(
+                    "ascites",
+                    whole.structures().stream()
+                            .map(s -> s.kind() == StructureKind.LIVER ? lowered(s, lowered) : s)
+                            .toList(),
+                    List.of());
+            Set<String> unknown = UnknownObservables.of(Runs.assembled(SHEET_ALONE.with("liver=true"), body));
+            assertThat(unknown.containsAll(List.of(OF_LIVER))).isEqualTo(lowered > 0);
+        }
+    }
+
+    private static Structure lowered(Structure s, double mm) {
+        double[] p = s.mesh().positions().clone();
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] -= mm;
+        }
+        return new Structure(s.name(), s.kind(), s.level(), s.side(), s.mesh().withPositions(p));
+    }
+
     @Test
     void theMotionOfASternumThatABodyLacksIsUnknown() {
         for (String model : List.of("kinematic", "off")) {
