@@ -75,6 +75,7 @@ public final class SimulationRun {
     public static Map<String, Object> run(Scenario scenario, Path out, Progress progress, Map<String, String> remarks) {
         long begun = System.nanoTime();
         ScheduleCheck.require(scenario);
+        ObservableRows.require(scenario, Runtime.getRuntime().maxMemory());
         Thorax thorax = loadThorax(scenario);
         thorax.notes().forEach(progress::note);
         try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress)) {
@@ -157,7 +158,7 @@ public final class SimulationRun {
         return stepping * 1e-9;
     }
 
-    private static long sampleInterval(double recordS, double dt) {
+    static long sampleInterval(double recordS, double dt) {
         return Math.max(1, Math.round(recordS / dt));
     }
 
