@@ -76,7 +76,8 @@ final class KeptVolume {
     void apply(double[] p) {
         setCentre(p);
         double now = volume(p);
-        if (now > restVolume) {
+        // An open piece may be wound inward, and has a negative volume then.
+        if (now * restVolume > 0 && Math.abs(now) > Math.abs(restVolume)) {
             double scale = StrictMath.cbrt(restVolume / now);
             for (int i = 0; i < p.length; i++) {
                 p[i] = centre[i % 3] + scale * (p[i] - centre[i % 3]);
