@@ -122,9 +122,10 @@ public final class LiveBreathing implements BreathingPattern {
         return state.pattern.periodS();
     }
 
+    /** That of the last pattern that was set. */
     @Override
     public double fullDurationS() {
-        return state.pattern.fullDurationS();
+        return state.base.fullDurationS();
     }
 
     @Override

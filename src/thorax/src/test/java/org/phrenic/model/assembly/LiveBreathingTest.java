@@ -44,6 +44,15 @@ class LiveBreathingTest {
         assertThat(quiet.cutShortS()).hasSize(cutShort ? 1 : 0);
     }
 
+    @Test
+    void itLastsAsLongAsTheLastPatternThatWasSet() {
+        LiveBreathing hold = breathing("preset=hold-inspiration");
+        double wholeS = hold.fullDurationS();
+        assertThat(wholeS).isFinite();
+        hold.change(pattern("preset=hold-inspiration", "depth=0.5"), false, STEP, 2);
+        assertThat(hold.fullDurationS()).isEqualTo(wholeS);
+    }
+
     /** Held at 3.5 s, when the expiration of the breath of 4 s is over; held at 2 s, it is not. */
     @ParameterizedTest
     @CsvSource({"3.5, false", "2, true"})
