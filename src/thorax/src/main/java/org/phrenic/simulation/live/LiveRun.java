@@ -161,7 +161,11 @@ public final class LiveRun implements AutoCloseable {
      *     nothing has changed
      */
     public void change(List<Assignment> assignments) {
-        settings.request(assignments).ifPresentOrElse(this::load, loop.commands::wake);
+        if (settings.request(assignments)) {
+            loads.loadCurrent();
+        } else {
+            loop.commands.wake();
+        }
         listener.changed();
     }
 

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.phrenic.model.material.Materials;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
@@ -28,20 +27,20 @@ final class RequestedSettings {
     /**
      * Requests changes. If all of them are live, they are pending for the simulation.
      *
-     * @return else the scenario with the changes, which is marked as loading
+     * @return whether the current settings are to be loaded instead, which are marked as loading
      * @throws org.phrenic.file.BadInputException if they are invalid; then nothing has changed
      */
-    synchronized Optional<Scenario> request(List<Assignment> assignments) {
+    synchronized boolean request(List<Assignment> assignments) {
         current = current.changed(assignments);
         if (!assignments.stream().allMatch(a -> a.setting().isLive())) {
             loading = true;
-            return Optional.of(current);
+            return true;
         }
         for (Assignment assignment : assignments) {
             pending.remove(assignment.setting());
             pending.put(assignment.setting(), assignment);
         }
-        return Optional.empty();
+        return false;
     }
 
     /**
