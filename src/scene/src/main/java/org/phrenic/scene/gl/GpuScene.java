@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scene.style.ColourField;
@@ -105,7 +106,7 @@ final class GpuScene {
             coarse = Optional.of(CompletableFuture.supplyAsync(
                     () -> surfaces.stream().map(GpuScene::fewerTriangles).toList()));
         }
-        if (!coarseSet && coarse.get().isDone()) {
+        if (!coarseSet && coarse.get().isDone() && !coarse.get().isCompletedExceptionally()) {
             List<int[]> fewer = coarse.get().join();
             for (int i = 0; i < fewer.size(); i++) {
                 surfaces.get(i).setCoarse(gl, fewer.get(i));
@@ -115,14 +116,16 @@ final class GpuScene {
         return coarseSet;
     }
 
-    /** A surface that cannot be decimated keeps all its triangles. */
     private static int[] fewerTriangles(SurfaceBuffers surface) {
-        TriangleMesh mesh = surface.outward();
+        return fewerTriangles(surface.surface().name(), surface.outward(), CoarseTriangles::of);
+    }
+
+    /** A surface that cannot be decimated, for lack of memory too, keeps all its triangles. */
+    static int[] fewerTriangles(String name, TriangleMesh mesh, Function<TriangleMesh, int[]> decimation) {
         try {
-            return CoarseTriangles.of(mesh);
-        } catch (RuntimeException e) {
-            String text = surface.surface().name() + " is always drawn with all its triangles";
-            LOG.log(System.Logger.Level.WARNING, text, e);
+            return decimation.apply(mesh);
+        } catch (RuntimeException | OutOfMemoryError e) {
+            LOG.log(System.Logger.Level.WARNING, name + " is always drawn with all its triangles", e);
             return mesh.triangles();
         }
     }
