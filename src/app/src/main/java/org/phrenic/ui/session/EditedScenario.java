@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import javax.swing.undo.UndoableEdit;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveRun;
@@ -65,13 +66,15 @@ final class EditedScenario {
     /**
      * Changes values; without any, there is nothing to undo.
      *
-     * @throws IllegalArgumentException if one is wrong; then nothing is changed
+     * @throws IllegalArgumentException if one is wrong
+     * @throws org.phrenic.file.BadInputException if one is wrong; nothing is changed by either
      */
     void change(EditName name, List<Assignment> assignments) {
         if (assignments.isEmpty()) {
             return;
         }
         Scenario now = present.get();
+        requireBreathing(now.changed(assignments), assignments);
         setValues(assignments);
         List<Assignment> inverse = assignments.stream()
                 .map(a -> new Assignment("undo", a.setting(), now.get(a.setting())))
@@ -83,6 +86,15 @@ final class EditedScenario {
             edits.add(name, keys, undo, redo);
         } else {
             addLoading(name, keys, now, undo, redo);
+        }
+    }
+
+    /** Refuses what the simulation would refuse later. A recording has a rate of its own and is read elsewhere. */
+    private static void requireBreathing(Scenario next, List<Assignment> assignments) {
+        boolean breathes =
+                assignments.stream().anyMatch(a -> a.setting().effect().isOfPattern());
+        if (breathes && next.trace().isEmpty()) {
+            Breathing.patternOf(next);
         }
     }
 

@@ -130,6 +130,27 @@ class SessionTest {
         }
     }
 
+    @Test
+    void aBreathThatIsImpossibleIsRefusedAndLeavesNothingToUndo() {
+        try (Session session = running()) {
+            List<String> said = new ArrayList<>();
+            EventThread.run(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onMessage(SessionMessage message) {
+                        said.add(message.text());
+                    }
+                });
+                change(session, "preset", "sniff");
+                change(session, "inspiratory_fraction", "0.45");
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo preset");
+                session.edits().undo();
+                assertThat(session.scenario().preset()).isEqualTo("quiet");
+            });
+            assertThat(said).singleElement().asString().contains("preset sniff", "inspiratory fraction");
+        }
+    }
+
     /** So that another preset breathes at its own rate again. */
     @Test
     void whatThePresetGivesIsGivenByItAgainAfterUndo() {
