@@ -75,6 +75,7 @@ public final class PhrenicWindow {
         docks = new DockManager(session, appearance, view, layout, preferences);
         view.setPickListener(statusBar::showPicked);
         assemble();
+        title.read(session.scenario());
         session.addListener(new SessionListener());
     }
 

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.ui.session.BodyName;
 
 /** The title of the window: the name of the scenario, with an asterisk once its values are others. */
@@ -21,7 +22,7 @@ final class ScenarioTitle {
      * @param exercise values of the exercise that is chosen, which may be those of another scene
      */
     void opened(Scenario scenario, Optional<Scenario> exercise) {
-        unchanged.computeIfAbsent(statedName(scenario), name -> new ArrayList<>(List.of(scenario)));
+        unchanged.computeIfAbsent(statedName(scenario), name -> stages(scenario));
         exercise.ifPresent(this::read);
     }
 
@@ -29,8 +30,19 @@ final class ScenarioTitle {
     void read(Scenario scenario) {
         List<Scenario> known = unchanged.computeIfAbsent(statedName(scenario), name -> new ArrayList<>());
         if (!known.contains(scenario)) {
-            known.add(scenario);
+            known.addAll(stages(scenario));
         }
+    }
+
+    /** A scenario, and what the changes that it schedules make of it, one after the other. */
+    private static List<Scenario> stages(Scenario scenario) {
+        List<Scenario> stages = new ArrayList<>(List.of(scenario));
+        Scenario now = scenario.withChanges(List.of());
+        for (ScheduledChange change : scenario.changes()) {
+            now = now.changed(List.of(change.assignment()));
+            stages.add(now);
+        }
+        return stages;
     }
 
     /** A scenario was saved under another name, perhaps: its values belong to that from here on. */

@@ -2,10 +2,12 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
 
 class ScenarioTitleTest {
     private static final Scenario QUIET = Scenario.defaults();
@@ -52,6 +54,19 @@ class ScenarioTitleTest {
         assertThat(title.text(run)).isEqualTo("mine - Phrenic");
         title.saved(run.without(RunSettings.STEPS), "mine");
         assertThat(title.text(run)).isEqualTo("mine - Phrenic");
+    }
+
+    @Test
+    void whatTheScenarioItselfChangesIsNoChange() {
+        Scenario scheduled = QUIET.with("name=mine")
+                .withChanges(List.of(ScheduledChange.parse("100:depth=1.5"), ScheduledChange.parse("200:depth=1.2")));
+        title.read(scheduled);
+        Scenario read = scheduled.withChanges(List.of());
+        for (String change : List.of("depth=1", "depth=1.5", "depth=1.2")) {
+            assertThat(title.text(read.with(change))).isEqualTo("mine - Phrenic");
+            assertThat(title.losesValues(read.with(change))).isFalse();
+        }
+        assertThat(title.losesValues(read.with("depth=1.3"))).isTrue();
     }
 
     @Test
