@@ -133,7 +133,7 @@ public final class OffscreenContext implements AutoCloseable {
                 silenceShutdown();
                 throw NoGraphicsException.missingLibrary(missing);
             }
-            throw new NoGraphicsException(NOT_STARTED + (isOnXServer(System.getenv(DISPLAY)) ? OTHER_WAY : ""), cause);
+            throw new NoGraphicsException(advised(NOT_STARTED, System.getenv(DISPLAY)), cause);
         }
     }
 
@@ -161,6 +161,15 @@ public final class OffscreenContext implements AutoCloseable {
         return !DisplayServer.isNotNeeded() && !isEglWanted && DisplayServer.hasGlx(display);
     }
 
+    /** A sentence on why nothing can be drawn, with the way without the X server where that is asked. */
+    static String advised(String sentence, String display) {
+        return sentence + (isOnXServer(display) ? OTHER_WAY : "");
+    }
+
+    private static NoGraphicsException advised(String sentence) {
+        return new NoGraphicsException(advised(sentence, System.getenv(DISPLAY)));
+    }
+
     private static OffscreenContext start() throws NoGraphicsException {
         boolean display = DisplayServer.isNotNeeded() || isOnXServer(System.getenv(DISPLAY));
         try {
@@ -173,12 +182,12 @@ public final class OffscreenContext implements AutoCloseable {
         }
         GLDrawableFactory factory = display ? GLDrawableFactory.getDesktopFactory() : SurfacelessEgl.factory();
         if (factory == null) {
-            throw new NoGraphicsException("No pictures can be made here: the display offers no OpenGL");
+            throw advised("No pictures can be made here: the display offers no OpenGL");
         }
         if (!GLProfile.isAvailable(factory.getDefaultDevice(), GLProfile.GL3)) {
             Optional<String> missing = display ? Optional.empty() : SurfacelessEgl.missingLibrary();
             throw missing.map(library -> NoGraphicsException.missingLibrary(library, null))
-                    .orElseGet(() -> new NoGraphicsException(OLD_DRIVER));
+                    .orElseGet(() -> advised(OLD_DRIVER));
         }
         GLCapabilities wanted = new GLCapabilities(GLProfile.get(factory.getDefaultDevice(), GLProfile.GL3));
         wanted.setOnscreen(false);
@@ -188,13 +197,13 @@ public final class OffscreenContext implements AutoCloseable {
         drawable.display();
         if (drawable.getContext() == null || !drawable.getContext().isCreated()) {
             drawable.destroy();
-            throw new NoGraphicsException(OLD_DRIVER);
+            throw advised(OLD_DRIVER);
         }
         // The profile GL3 begins with version 3.1.
         Optional<String> obstacle = obstacle(drawable.getContext().getGLVersionNumber());
         if (obstacle.isPresent()) {
             drawable.destroy();
-            throw new NoGraphicsException(obstacle.get());
+            throw advised(obstacle.get());
         }
         return new OffscreenContext(drawable);
     }

@@ -2,6 +2,7 @@ package org.phrenic.scene.gl;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import com.jogamp.common.util.VersionNumber;
 import java.io.IOException;
@@ -16,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.phrenic.scene.SceneFixture;
 
@@ -113,16 +115,31 @@ class OffscreenContextTest {
     void withoutAServerNothingIsDrawnThroughOne() {
         assertThat(OffscreenContext.isOnXServer(null)).isFalse();
         assertThat(OffscreenContext.isOnXServer(":54321")).isFalse();
+        assertThat(OffscreenContext.advised("Too old", null)).isEqualTo("Too old");
+    }
+
+    /** Such as a server at the other end of a connection, whose OpenGL is older than that of this machine. */
+    @Test
+    void whoDrawsThroughAServerIsToldTheOtherWay() throws Exception {
+        assumeThat(DisplayServer.isNotNeeded()).isFalse();
+        assumeThat(System.getProperty("phrenic.opengl", "")).isEmpty();
+        String advised = atServer(Optional.of(true), display -> OffscreenContext.advised("Too old", display));
+        assertThat(advised).isEqualTo("Too old; java -Dphrenic.opengl=egl may draw without the display");
     }
 
     /** @param answer what a server says when it is asked for GLX; empty for one that refuses the session */
     private static boolean hasGlx(Optional<Boolean> answer) throws IOException, InterruptedException {
+        return atServer(answer, DisplayServer::hasGlx);
+    }
+
+    private static <T> T atServer(Optional<Boolean> answer, Function<String, T> question)
+            throws IOException, InterruptedException {
         try (ServerSocket server = displayPort()) {
             Thread serving = new Thread(() -> serve(server, answer), "display");
             serving.start();
-            boolean has = DisplayServer.hasGlx("localhost:" + (server.getLocalPort() - 6000) + ".0");
+            T told = question.apply("localhost:" + (server.getLocalPort() - 6000) + ".0");
             serving.join();
-            return has;
+            return told;
         }
     }
 
