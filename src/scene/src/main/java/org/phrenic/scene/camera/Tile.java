@@ -18,7 +18,7 @@ import org.joml.Matrix4dc;
  * @param wholeHeight height of the whole picture, pixels
  */
 public record Tile(int x, int y, int width, int height, int wholeWidth, int wholeHeight) {
-    private static final int OVERLAP_PIXELS = 16;
+    private static final int LEAST_OVERLAP_PIXELS = 16;
 
     public static Tile whole(int width, int height) {
         return new Tile(0, 0, width, height, width, height);
@@ -30,13 +30,22 @@ public record Tile(int x, int y, int width, int height, int wholeWidth, int whol
             return List.of(whole(width, height));
         }
         List<Tile> tiles = new ArrayList<>();
-        int step = side - 2 * OVERLAP_PIXELS;
-        for (int y = 0; y == 0 || y + 2 * OVERLAP_PIXELS < height; y += step) {
-            for (int x = 0; x == 0 || x + 2 * OVERLAP_PIXELS < width; x += step) {
+        int overlap = overlap(height);
+        int step = side - 2 * overlap;
+        for (int y = 0; y == 0 || y + 2 * overlap < height; y += step) {
+            for (int x = 0; x == 0 || x + 2 * overlap < width; x += step) {
                 tiles.add(new Tile(x, y, Math.min(side, width - x), Math.min(side, height - y), width, height));
             }
         }
         return tiles;
+    }
+
+    /**
+     * So wide that a point whose centre lies beyond a tile, which is not drawn in it, does not reach what is pasted.
+     */
+    static int overlap(int wholeHeight) {
+        double radius = 0.5 * ViewTransform.GREATEST_POINT * ViewTransform.enlargement(wholeHeight);
+        return Math.max(LEAST_OVERLAP_PIXELS, (int) Math.ceil(radius) + 2);
     }
 
     /** Restricts the projection of the whole picture to this tile. */
@@ -49,8 +58,8 @@ public record Tile(int x, int y, int width, int height, int wholeWidth, int whol
 
     /** Copies this tile into the whole picture, except the strip of the overlap that the neighbouring tile provides. */
     public void paste(BufferedImage part, BufferedImage whole) {
-        int left = x == 0 ? 0 : OVERLAP_PIXELS;
-        int low = y == 0 ? 0 : OVERLAP_PIXELS;
+        int left = x == 0 ? 0 : overlap(wholeHeight);
+        int low = y == 0 ? 0 : overlap(wholeHeight);
         whole.getRaster()
                 .setRect(
                         x + left,

@@ -20,6 +20,8 @@ public record ViewTransform(
         Matrix4d view, Matrix4d projection, Matrix4d fullProjection, boolean orthographic, Tile tile, double scale) {
     /** Picture height to which line and edge widths refer, pixels. */
     private static final float REFERENCE_HEIGHT = 900;
+    /** Diameter of the largest points that are drawn, pixels at the reference height. */
+    public static final float GREATEST_POINT = 6;
 
     public static ViewTransform of(Camera camera, Tile tile, double scale) {
         Matrix4d full = camera.projectionMatrix((double) tile.wholeWidth() / tile.wholeHeight());
@@ -44,8 +46,13 @@ public record ViewTransform(
      * and in coarser ones not below one pixel.
      */
     public float scaledPixels(float reference) {
-        float scaled = (float) (reference * scale * Math.max(1, tile.wholeHeight() / REFERENCE_HEIGHT));
+        float scaled = (float) (reference * scale * enlargement(tile.wholeHeight()));
         return scale < 1 ? Math.max(Math.min(1, reference), scaled) : scaled;
+    }
+
+    /** Factor of widths in a picture of a height. */
+    static float enlargement(int wholeHeight) {
+        return Math.max(1, wholeHeight / REFERENCE_HEIGHT);
     }
 
     public float orthographicFlag() {

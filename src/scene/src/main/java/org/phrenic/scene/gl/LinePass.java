@@ -40,10 +40,10 @@ final class LinePass {
             return switch (kind) {
                 case SPRINGS -> new LineStyle(0x56b4e9, 0.55f, 1.0f, 3, 0.6f);
                 case RIGID_LINKS -> new LineStyle(0xcc79a7, 1, 2.0f, 4, 1.0f);
-                case ATTACHMENTS -> new LineStyle(0xd55e00, 1, 1.6f, 6, 2.0f);
+                case ATTACHMENTS -> new LineStyle(0xd55e00, 1, 1.6f, ViewTransform.GREATEST_POINT, 2.0f);
                 case FIBRES -> new LineStyle(0xf0e442, 0.85f, 1.4f, 3, 0.8f);
                 case ACTION_LINES -> new LineStyle(0x009e73, 1, 2.6f, 5, 1.5f);
-                case HELICAL_AXES -> new LineStyle(0x0072b2, 1, 2.6f, 6, 1.5f);
+                case HELICAL_AXES -> new LineStyle(0x0072b2, 1, 2.6f, ViewTransform.GREATEST_POINT, 1.5f);
             };
         }
 
