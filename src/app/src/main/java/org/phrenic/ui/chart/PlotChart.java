@@ -72,10 +72,16 @@ final class PlotChart {
         time.setRange(0, 1);
         time.setLowerMargin(0);
         time.setUpperMargin(0);
+        time.setNumberFormatOverride(plainNumbers());
         chart.setPadding(new RectangleInsets(4, 2, 2, 8));
         chart.setAntiAlias(true);
         chart.getRenderingHints().put(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         applyTheme();
+    }
+
+    /** Thousands without a comma, as everywhere in the window. */
+    private static DecimalFormat plainNumbers() {
+        return new DecimalFormat("0.###", DecimalFormatSymbols.getInstance(Locale.ROOT));
     }
 
     JFreeChart chart() {
@@ -97,7 +103,7 @@ final class PlotChart {
             axis.setAutoRange(false);
             axis.setStandardTickUnits(new NumberTickUnitSource());
             axis.setAutoTickUnitSelection(true);
-            axis.setNumberFormatOverride(new DecimalFormat("0.###", DecimalFormatSymbols.getInstance(Locale.ROOT)));
+            axis.setNumberFormatOverride(plainNumbers());
             DefaultXYDataset data = new DefaultXYDataset();
             XYPlot plot = new XYPlot(data, null, axis, new XYLineAndShapeRenderer(true, false));
             plots.add(plot, unit.equals("mm") ? DISPLACEMENT_WEIGHT : DEFAULT_WEIGHT);

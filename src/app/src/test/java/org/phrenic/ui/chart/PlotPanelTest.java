@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.Graphics2D;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
+import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.data.Range;
 import org.junit.jupiter.api.Test;
@@ -40,6 +41,16 @@ class PlotPanelTest {
                 1,
                 notches));
         return chart.timeAxis().getRange();
+    }
+
+    /** As the timeline, the view and the status line write it. */
+    @Test
+    void timesAreWrittenWithoutAComma() {
+        EventThread.run(() -> {
+            NumberAxis time = (NumberAxis) new PlotChart().timeAxis();
+            assertThat(time.getNumberFormatOverride().format(1020)).isEqualTo("1020");
+            assertThat(time.getNumberFormatOverride().format(1020.25)).isEqualTo("1020.25");
+        });
     }
 
     @Test
