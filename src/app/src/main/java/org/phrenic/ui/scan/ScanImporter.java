@@ -11,6 +11,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.UnfinishedFiles;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
@@ -147,6 +148,8 @@ public final class ScanImporter {
             Path file, ScanImportDialog.Choice choice, CancellableProgress progress, Path temporary)
             throws IOException {
         Path table = temporary.resolve("phrenic-labels-" + UUID.randomUUID() + ".csv");
+        // The window may be closed meanwhile.
+        UnfinishedFiles.add(table);
         try {
             String name = FileNames.ofBody(choice.folder());
             ImportRequest request = new ImportRequest(
@@ -166,6 +169,7 @@ public final class ScanImporter {
             if (Files.exists(table)) {
                 Files.delete(table);
             }
+            UnfinishedFiles.remove(table);
         }
     }
 

@@ -3,6 +3,7 @@ package org.phrenic.ui.window;
 import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.StringSelection;
 import java.time.Instant;
 import java.time.ZoneId;
@@ -31,6 +32,7 @@ import org.phrenic.ui.widget.Dialogs;
 
 /** A dialog that lists the log records since the window opened. */
 final class LogDialog extends Handler {
+    private static final System.Logger LOG = System.getLogger(LogDialog.class.getName());
     private static final int MAX_LINES = 2_000;
     private static final String LOGGER_NAME = "org.phrenic";
 
@@ -95,9 +97,16 @@ final class LogDialog extends Handler {
 
     private void copy(List<String> chosen) {
         List<String> which = chosen.isEmpty() ? Collections.list(lines.elements()) : chosen;
-        Toolkit.getDefaultToolkit()
-                .getSystemClipboard()
-                .setContents(new StringSelection(String.join("\n", which)), null);
+        copy(String.join("\n", which), Toolkit.getDefaultToolkit().getSystemClipboard());
+    }
+
+    /** Copies a text; a clipboard that another program holds is told in the log. */
+    static void copy(String text, Clipboard clipboard) {
+        try {
+            clipboard.setContents(new StringSelection(text), null);
+        } catch (IllegalStateException busy) {
+            LOG.log(System.Logger.Level.WARNING, "The clipboard took no text: {0}", busy.getMessage());
+        }
     }
 
     @Override
