@@ -1,5 +1,6 @@
 package org.phrenic.patient.segmentation;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.IntList;
@@ -31,7 +32,13 @@ final class BoneClosing {
                 .toArray();
         int[][] boxes = segmentation.boxes();
         List<int[]> added = segments.parallelStream()
-                .map(segment -> addedVoxels(segmentation, segment, boxes[segment], reach, free))
+                .map(segment -> {
+                    IntList all = new IntList();
+                    for (int[] box : parts(segmentation, segment, boxes[segment], 2 * reach[2] + 1)) {
+                        addVoxels(segmentation, segment, box, reach, free, all);
+                    }
+                    return all.toArray();
+                })
                 .toList();
         int filled = 0;
         for (int i = 0; i < added.size(); i++) {
@@ -45,11 +52,39 @@ final class BoneClosing {
         return filled;
     }
 
-    /** Free voxels in the closing of a segment. */
-    private static int[] addedVoxels(Segmentation s, int segment, int[] box, int[] reach, boolean[] free) {
-        if (box[5] < 0) {
-            return new int[0];
+    /**
+     * Boxes of the parts of a segment between which so many slices and more are empty: a stray part far away takes no
+     * memory for what lies between.
+     *
+     * @param box of the segment
+     */
+    private static List<int[]> parts(Segmentation s, int segment, int[] box, int apart) {
+        List<int[]> parts = new ArrayList<>();
+        int[] part = box;
+        for (int k = box[2]; k <= box[5]; k++) {
+            for (int j = box[1]; j <= box[4]; j++) {
+                int row = s.columns * (j + s.rows * k);
+                for (int i = box[0]; i <= box[3]; i++) {
+                    if (s.voxels[row + i] != (byte) segment) {
+                        continue;
+                    }
+                    if (parts.isEmpty() || k - part[5] > apart) {
+                        part = new int[] {i, j, k, i, j, k};
+                        parts.add(part);
+                    }
+                    part[0] = Math.min(part[0], i);
+                    part[1] = Math.min(part[1], j);
+                    part[3] = Math.max(part[3], i);
+                    part[4] = Math.max(part[4], j);
+                    part[5] = k;
+                }
+            }
         }
+        return parts;
+    }
+
+    /** Adds the free voxels in the closing of a part of a segment to a list. */
+    private static void addVoxels(Segmentation s, int segment, int[] box, int[] reach, boolean[] free, IntList added) {
         int[] size = new int[3];
         for (int axis = 0; axis < 3; axis++) {
             size[axis] = box[3 + axis] - box[axis] + 1 + 2 * reach[axis];
@@ -69,7 +104,6 @@ final class BoneClosing {
                 spread(mask, size, axis, reach[axis], value);
             }
         }
-        IntList added = new IntList();
         for (int k = box[2]; k <= box[5]; k++) {
             for (int j = box[1]; j <= box[4]; j++) {
                 int voxel = s.columns * (j + s.rows * k);
@@ -81,7 +115,6 @@ final class BoneClosing {
                 }
             }
         }
-        return added.toArray();
     }
 
     /** Sets the cells within {@code reach} of a cell with this value, along one axis. Outside the box lie zeros. */

@@ -51,12 +51,13 @@ final class PieceJoiner {
         this.reachMm = reachMm;
         int[] box = s.box(segment);
         int[] all = {s.columns, s.rows, s.slices};
+        PieceBoxes near = new PieceBoxes(s, components, reachMm + ROUNDING_MM);
         low = new int[3];
         size = new int[3];
         for (int axis = 0; axis < 3; axis++) {
             // A margin of two voxels lets the search pass around a corner of the bone.
-            low[axis] = Math.max(0, box[axis] - 2);
-            size[axis] = Math.min(all[axis] - 1, box[3 + axis] + 2) - low[axis] + 1;
+            low[axis] = Math.max(Math.max(0, box[axis] - 2), near.reached()[axis]);
+            size[axis] = Math.min(Math.min(all[axis] - 1, box[3 + axis] + 2), near.reached()[3 + axis]) - low[axis] + 1;
         }
         pieces = new int[size[0] * size[1] * size[2]];
         origin = new int[pieces.length];
@@ -67,7 +68,7 @@ final class PieceJoiner {
         }
         joined = new boolean[components.size() + 1];
         for (int piece = 1; piece < joined.length; piece++) {
-            for (int v : components.get(piece - 1)) {
+            for (int v : near.isNear(piece - 1) ? components.get(piece - 1) : new int[0]) {
                 pieces[cell(v)] = piece;
             }
         }

@@ -62,6 +62,34 @@ class PieceJoinerTest {
         return pieces;
     }
 
+    /**
+     * The third piece is out of reach of the first, and a fourth of both; the two lie on in the order of their sizes.
+     */
+    @Test
+    void piecesAreJoinedInAChainAndWhatLiesFarOffIsNot() {
+        box(BONE, 2, 2, 2, 9, 5, 5);
+        box(BONE, 28, 2, 2, 33, 5, 5);
+        box(BONE, 18, 2, 2, 19, 5, 5);
+        box(BONE, 46, 26, 16, 48, 28, 18);
+        Segmentation s = scan("rib_06_L");
+        assertThat(SegmentationRepair.mend(s))
+                .anyMatch(note -> note.contains("joined") && note.contains("rib_06_L (3)"))
+                .anyMatch(note -> note.startsWith("rib_06_L: what lies too far"));
+        assertThat(pieces(s, 1)).isEqualTo(1);
+    }
+
+    /** A pit of a voxel in each of two parts of a bone, one above the other with so many empty slices between. */
+    @ParameterizedTest
+    @CsvSource({"1, 36", "2, 72", "3, 0", "4, 0", "9, 0"})
+    void aBoneIsClosedOverTwoSlicesAndItsPartsByThemselves(int apart, int between) {
+        box(BONE, 5, 5, 2, 10, 10, 4);
+        box(0, 7, 7, 3, 7, 7, 3);
+        box(BONE, 5, 5, 5 + apart, 10, 10, 7 + apart);
+        box(0, 7, 7, 6 + apart, 7, 7, 6 + apart);
+        boolean[] free = {true, false};
+        assertThat(BoneClosing.close(scan("hip_L"), List.of(1), free)).isEqualTo(2 + between);
+    }
+
     /** Lung lies in the gap of a broken rib, on all lines between its pieces, but for a slit beside the rib. */
     @Test
     void aBridgeGoesRoundAnotherOrgan() {
