@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
 import org.phrenic.patient.segmentation.Segmentation;
@@ -85,11 +86,22 @@ final class VertebraNumbering {
         }
         String where = slip > 0 ? "above" : "below";
         if (!ribsAreRight(slip)) {
-            return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
+            return Optional.of(renumbered("ribs, whose vertebrae lie one " + where + " their numbers"));
         }
         String beyond = shift(-slip, false, place -> true) ? LEFT_OUT : "";
         return Optional.of("the vertebrae lie one " + where + " the ribs of their numbers: they are numbered anew, "
                 + (slip > 0 ? "vertebra_L01 is vertebra_T12" : "vertebra_T12 is vertebra_L01") + " now" + beyond);
+    }
+
+    /** Numbers the ribs anew, unless they hang together or are too many: then all keep their numbers. */
+    private String renumbered(String found) {
+        byte[] before = s.voxels().clone();
+        try {
+            return RibNumbering.renumber(s, found);
+        } catch (BadInputException problem) {
+            System.arraycopy(before, 0, s.voxels(), 0, before.length);
+            return problem.getMessage() + "; ribs and vertebrae keep the numbers of their labels";
+        }
     }
 
     /**

@@ -379,6 +379,32 @@ class VertebraNumberingTest {
         assertThat(counts(s)).isEqualTo(truth(CageVoxels.SLICES, "rib_12_L", "rib_12_R"));
     }
 
+    /** Ribs 1 to 11 with the numbers 2 to 12, and two copies of the last right one below it. */
+    @Test
+    void ribsThatCannotBeNumberedAnewKeepTheirNumbers() {
+        CageVoxels cage = cage();
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        byte[] labels = cage.labels.clone();
+        for (int v = 16 * slice; v < labels.length; v++) {
+            int label = labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            if (label == CageVoxels.rib(12, true)) {
+                cage.labels[v] = 0;
+            }
+            if (label == CageVoxels.rib(11, true)) {
+                cage.labels[v - 8 * slice] = (byte) label;
+                cage.labels[v - 16 * slice] = (byte) label;
+            }
+        }
+        Segmentation s = scan(cage, CageVoxels.SLICES, ribsMovedDown());
+        TreeMap<String, Integer> before = counts(s);
+        assertThat(VertebraNumbering.check(s))
+                .get()
+                .asString()
+                .startsWith("ribs, whose vertebrae lie one below their numbers, which cannot be told apart: found 13")
+                .endsWith("; ribs and vertebrae keep the numbers of their labels");
+        assertThat(counts(s)).isEqualTo(before);
+    }
+
     /**
      * Ribs that fall by another 0.4 mm for each millimetre beyond the transverse processes and, as segmentations leave
      * them, end 51 mm from the median plane.
