@@ -28,8 +28,8 @@ public final class OrganExtension {
     private static final double CELL_MM = 2;
     private static final double BAND_MM = 20;
     private static final int MARGIN = 3;
-    /** Least volume of a further piece over that of what the scan shows. */
-    private static final double LEAST_SHARE = 0.01;
+    /** Least volume of a further piece over the template's: parts of a thin recess are less. */
+    private static final double LEAST_SHARE = 0.02;
 
     /** Greatest distance from the surface of the scan at which a vertex is put on it, mm. */
     private static final double NEAR_MM = 2 * CELL_MM;
@@ -77,16 +77,16 @@ public final class OrganExtension {
         }
         LabelGrid grid = LabelGrid.of(box.columns(), box.rows(), box.slices(), labels, box.toMm());
         SegmentMesher mesher = new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER);
-        return onScan(mesher.surface(1, edge(scan), this::isOfScan));
+        double least = LEAST_SHARE * MeshMeasure.signedVolume(template);
+        return onScan(
+                mesher.surface(1, edge(scan), piece -> MeshMeasure.signedVolume(piece) > least && isOfScan(piece)));
     }
 
-    /** Whether a piece is no crumb and reaches so deep that the scan has more weight than the template there. */
+    /** Whether a piece reaches so deep that the scan has more weight than the template there. */
     private boolean isOfScan(TriangleMesh piece) {
-        boolean large = MeshMeasure.signedVolume(piece) > LEAST_SHARE * MeshMeasure.signedVolume(scan);
-        return large
-                && IntStream.range(0, piece.vertexCount())
-                        .mapToObj(v -> new double[] {piece.x(v), piece.y(v), piece.z(v)})
-                        .anyMatch(p -> templateWeight(depth(p)) < 0.5);
+        return IntStream.range(0, piece.vertexCount())
+                .mapToObj(v -> new double[] {piece.x(v), piece.y(v), piece.z(v)})
+                .anyMatch(p -> templateWeight(depth(p)) < 0.5);
     }
 
     /** A box around two others. */

@@ -140,6 +140,14 @@ class OrganExtensionTest {
         }
     }
 
+    /** A sphere of 7 ml beside the template's 530 ml, as the end of a thin recess. */
+    @Test
+    void aSmallPartThatLiesApartIsLeftOut() {
+        TriangleMesh part = raised(Shapes.sphere(12, 4), -RADIUS_MM - 30);
+        TriangleMesh whole = OrganExtension.extended(organ(MeshMerge.merge(List.of(part, SCAN)), end(), 0), TEMPLATE);
+        assertThat(ConnectedComponents.of(whole)).hasSize(1);
+    }
+
     @Test
     void anOrganThatIsNotCutOffIsRefused() {
         assertThatThrownBy(() -> OrganExtension.extended(organ(List.of(), 0), TEMPLATE))
