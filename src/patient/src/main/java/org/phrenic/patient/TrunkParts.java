@@ -16,8 +16,8 @@ import org.phrenic.patient.label.LabelTable;
 /**
  * What the skin of the trunk encloses: everything but the limbs, the head, lesions and structures of unknown names. A
  * target volume may reach out of the body, and an unknown structure may be a couch or a bolus. Of the bone at the root
- * of a limb it is the part within {@value #ROOT_MM} mm of the bone of the trunk that carries it, of bones under one
- * label the part so near to the rest of the trunk: an arm beside the trunk would widen the skin of the flank.
+ * of a limb it is the part within {@value #ROOT_MM} mm of the bone of the trunk that carries it, of bones or muscles
+ * under one label the part so near to the rest of the trunk: an arm beside the trunk would widen the skin of the flank.
  */
 final class TrunkParts {
     private static final double ROOT_MM = 40;
@@ -50,7 +50,9 @@ final class TrunkParts {
     /** Words of a name that tell a side. */
     private static final Set<String> SIDES = Set.of("left", "right");
 
-    private static final String ALL_BONES = OrganNames.words(LabelTable.ALL_BONES);
+    /** Names of bones and muscles of trunk and limbs under one label. */
+    private static final Set<String> OF_WHOLE_BODY =
+            Set.of(OrganNames.words(LabelTable.ALL_BONES), OrganNames.words("muscle_skeletal"));
 
     private TrunkParts() {}
 
@@ -58,11 +60,12 @@ final class TrunkParts {
     static List<Structure> of(List<Structure> body) {
         List<Structure> trunk = body.stream()
                 .filter(s -> !TemplateParts.isOfOnePerson(s))
-                .filter(s -> !CARRIERS.containsKey(firstWord(s)) && !OUTSIDE.contains(firstWord(s)) && !isAllBones(s))
+                .filter(s ->
+                        !CARRIERS.containsKey(firstWord(s)) && !OUTSIDE.contains(firstWord(s)) && !isOfWholeBody(s))
                 .toList();
         List<Structure> parts = new ArrayList<>(trunk);
         for (Structure s : body) {
-            if (isAllBones(s)) {
+            if (isOfWholeBody(s)) {
                 near(s, trunk).ifPresent(parts::add);
             } else if (CARRIERS.containsKey(firstWord(s))) {
                 near(s, named(CARRIERS.get(firstWord(s)), body)).ifPresent(parts::add);
@@ -71,8 +74,8 @@ final class TrunkParts {
         return parts;
     }
 
-    private static boolean isAllBones(Structure s) {
-        return OrganNames.words(s.name()).equals(ALL_BONES);
+    private static boolean isOfWholeBody(Structure s) {
+        return OF_WHOLE_BODY.contains(OrganNames.words(s.name()));
     }
 
     private static List<Structure> named(String word, List<Structure> body) {

@@ -92,6 +92,7 @@ class SkinEnvelopeTest {
         withArm.add(new Structure("other_radius_right", StructureKind.OTHER, 0, Side.MIDLINE, shaft));
         withArm.add(new Structure("other_right_ulna", StructureKind.OTHER, 0, Side.MIDLINE, shaft));
         withArm.add(new Structure("bone_skeleton", StructureKind.BONE, 0, Side.MIDLINE, shaft));
+        withArm.add(new Structure("muscle_skeletal", StructureKind.MUSCLE, 0, Side.MIDLINE, shaft));
         SurfaceDistance distance = new SurfaceDistance(SkinEnvelope.around(withArm));
         double top = shaft.bounds()[5];
         assertThat(distance.signedDistance(new double[] {x, y, top - 5})[0])
