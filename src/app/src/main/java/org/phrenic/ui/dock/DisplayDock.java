@@ -190,7 +190,9 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
             end.addFocusListener(new FocusAdapter() {
                 @Override
                 public void focusLost(FocusEvent e) {
-                    applyRange();
+                    if (!e.isTemporary()) {
+                        applyRange();
+                    }
                 }
             });
         }

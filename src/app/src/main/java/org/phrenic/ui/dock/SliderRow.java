@@ -67,7 +67,10 @@ final class SliderRow extends SettingRow {
 
             @Override
             public void focusLost(FocusEvent e) {
-                onTyped();
+                // Another window is looked at, in the midst of a number perhaps.
+                if (!e.isTemporary()) {
+                    onTyped();
+                }
             }
         });
         field.putClientProperty("JComponent.minimumWidth", 0);

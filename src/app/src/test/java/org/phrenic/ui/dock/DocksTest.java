@@ -939,6 +939,28 @@ class DocksTest {
         return foremost;
     }
 
+    /** @param temporary whether another window is looked at and the field is the same afterwards */
+    private static void loseFocus(JTextField field, boolean temporary) {
+        for (FocusListener listener : field.getFocusListeners()) {
+            listener.focusLost(new FocusEvent(field, FocusEvent.FOCUS_LOST, temporary));
+        }
+    }
+
+    @Test
+    void aNumberIsTakenWhenItsFieldIsLeftAndNotWhenTheWindowIs() {
+        BreathDock dock = on(() -> new BreathDock(session));
+        EventThread.run(() -> {
+            JTextField field = dock.row(Breathing.DEPTH).field();
+            double before = session.scenario().get(Breathing.DEPTH);
+            field.setText("0.7");
+            loseFocus(field, true);
+            assertThat(session.scenario().get(Breathing.DEPTH)).isEqualTo(before);
+            assertThat(field.getText()).isEqualTo("0.7");
+            loseFocus(field, false);
+            assertThat(session.scenario().get(Breathing.DEPTH)).isEqualTo(0.7);
+        });
+    }
+
     @Test
     void aRangeOfColoursIsTakenWhenItsFieldIsLeft() {
         AppearanceModel looks = on(AppearanceModel::new);
@@ -947,10 +969,11 @@ class DocksTest {
                 .orElseThrow();
         EventThread.run(() -> {
             colours(dock).setSelectedIndex(1);
+            end.setText("1");
+            loseFocus(end, true);
+            assertThat(looks.style().scale().max()).as("in the midst of it").isNotEqualTo(1);
             end.setText("12,5 mm");
-            for (FocusListener listener : end.getFocusListeners()) {
-                listener.focusLost(new FocusEvent(end, FocusEvent.FOCUS_LOST));
-            }
+            loseFocus(end, false);
         });
         assertThat(looks.style().scale().max()).isEqualTo(12.5);
     }
