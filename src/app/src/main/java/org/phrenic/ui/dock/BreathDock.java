@@ -16,17 +16,18 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.breathing.pattern.BreathingPreset;
-import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.ui.chart.PhaseBar;
 import org.phrenic.ui.chart.PhaseColours;
 import org.phrenic.ui.session.EditName;
+import org.phrenic.ui.session.LatestTask;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
@@ -53,6 +54,10 @@ public final class BreathDock extends SessionDock {
     private final JLabel trace = new JLabel("Breath by preset");
     private final JLabel traceDescription = Controls.secondaryLabel("");
     private transient Optional<Path> describedTrace = Optional.empty();
+    /** A recording of hours takes seconds to read. */
+    private final transient LatestTask reading = new LatestTask();
+
+    private final transient LatestTask describing = new LatestTask();
     private final JButton removeTrace =
             Controls.iconButton(Icons.CLOSE, "Remove the recorded trace", this::removeTrace);
     private final transient List<SliderRow> rows;
@@ -155,18 +160,22 @@ public final class BreathDock extends SessionDock {
 
     /** Breathes by a recorded trace; a file that is none is refused with a message. */
     void openTrace(Path file) {
-        // A file that is chosen again may have been written anew.
+        String place = file.toAbsolutePath().toString();
+        reading.execute(
+                () -> Assignment.read("window", Breathing.TRACE.key(), place),
+                read -> {
+                    // A file that is chosen again may have been written anew.
+                    describedTrace = Optional.empty();
+                    session.change("Breath recorded in " + file.getFileName(), read);
+                },
+                session::refuse);
+    }
+
+    @Override
+    public void onScene(LiveScene scene) {
+        // It has read its recording anew.
         describedTrace = Optional.empty();
-        try {
-            session.change(
-                    "Breath recorded in " + file.getFileName(),
-                    Assignment.read(
-                            "window",
-                            Breathing.TRACE.key(),
-                            file.toAbsolutePath().toString()));
-        } catch (BadInputException e) {
-            session.refuse(e.getMessage());
-        }
+        super.onScene(scene);
     }
 
     @Override
@@ -198,12 +207,11 @@ public final class BreathDock extends SessionDock {
             return;
         }
         describedTrace = file;
-        String sentence;
-        try {
-            sentence = Breathing.traceDescription(scenario).orElse("");
-        } catch (BadInputException unreadable) {
-            sentence = unreadable.getMessage();
-        }
+        describing.execute(
+                () -> Breathing.traceDescription(scenario).orElse(""), this::showDescription, this::showDescription);
+    }
+
+    private void showDescription(String sentence) {
         traceDescription.setText("<html>" + Controls.escapeHtml(sentence) + "</html>");
         traceDescription.setVisible(!sentence.isEmpty());
     }

@@ -396,8 +396,9 @@ class DocksTest {
         EventThread.run(() -> {
             session.addListener(ear);
             new BreathDock(session).openTrace(bad);
-            session.removeListener(ear);
         });
+        EventThread.until("a refusal", () -> said.get() != null);
+        EventThread.run(() -> session.removeListener(ear));
         assertThat(said.get()).contains("bad.csv").contains("time_s,amplitude");
         assertThat(on(() -> session.scenario().trace())).isEmpty();
     }
@@ -734,22 +735,29 @@ class DocksTest {
         EventThread.run(() -> dock.openTrace(file));
         EventThread.until("the trace is taken", () -> session.scenario().trace().isPresent());
         EventThread.run(dock::onChange);
-        assertThat(on(() -> dock.traceDescription().getText())).contains("column amplitude", "5 breaths", "4.0 s each");
+        awaitDescription(dock, "5 breaths");
+        assertThat(on(() -> dock.traceDescription().getText())).contains("column amplitude", "4.0 s each");
         assertThat(on(() -> dock.row(Breathing.RATE).slider().isEnabled())).isFalse();
         assertThat(on(() -> dock.row(Breathing.RATE).message())).contains("recorded breath");
         assertThat(on(() -> dock.row(Breathing.DEPTH).slider().isEnabled())).isTrue();
+        Files.writeString(file, csv.substring(0, csv.indexOf("16.1,")));
+        EventThread.run(() -> dock.onScene(session.scene().orElseThrow()));
+        awaitDescription(dock, "4 breaths");
         Files.writeString(file, csv.substring(0, csv.indexOf("12.1,")));
-        EventThread.run(() -> {
-            dock.openTrace(file);
-            dock.onChange();
-        });
-        assertThat(on(() -> dock.traceDescription().getText()))
-                .as("of the file as it is now")
-                .contains("3 breaths");
+        EventThread.run(() -> dock.openTrace(file));
+        awaitDescription(dock, "3 breaths");
         EventThread.run(() -> session.edits().undo());
         EventThread.run(() -> session.edits().undo());
         EventThread.until(
                 "the rate is back", () -> dock.row(Breathing.RATE).slider().isEnabled());
+    }
+
+    /** Of the file as it is now. */
+    private static void awaitDescription(BreathDock dock, String part) {
+        EventThread.until(
+                part,
+                () -> dock.traceDescription().getText().contains(part)
+                        && dock.traceDescription().isVisible());
     }
 
     @Test
@@ -773,8 +781,9 @@ class DocksTest {
         EventThread.run(() -> {
             session.addListener(ear);
             dock.openTrace(flat);
-            session.removeListener(ear);
         });
+        EventThread.until("a refusal", () -> !said.isEmpty());
+        EventThread.run(() -> session.removeListener(ear));
         assertThat(said).singleElement().asString().contains("flat.csv: the signal stays at 1.0, expected breathing");
     }
 
