@@ -52,7 +52,6 @@ final class ScanLabels extends AbstractTableModel {
     private final String spacing;
     private final Optional<String> refusal;
     private final List<String> origin;
-    private boolean edited;
 
     private ScanLabels(LabelVolume volume, LabelGuess guess, Thorax usual, LabelGrid stored, List<String> origin) {
         this.origin = origin;
@@ -164,25 +163,23 @@ final class ScanLabels extends AbstractTableModel {
             String other = OrganNames.other(label.name(), label.label());
             structures.set(row, numbered.get(tool).getOrDefault(label.label(), other));
         }
-        edited = true;
         fireTableDataChanged();
     }
 
     /** Assigns the structures that the file names. */
     void guessAgain() {
         Collections.copy(structures, guessed);
-        edited = false;
         fireTableDataChanged();
     }
 
-    /** Whether the guess was changed, so that the import writes the table. */
+    /** Whether the structures are others than guessed, so that the import writes the table. */
     boolean isEdited() {
-        return edited;
+        return !structures.equals(guessed);
     }
 
     /** Writes the table to a file if the guess was changed; empty if the import can guess it again. */
     Optional<Path> writeIfEdited(Path file) {
-        if (!edited) {
+        if (!isEdited()) {
             return Optional.empty();
         }
         List<List<String>> lines = IntStream.range(0, rows.size())
@@ -239,7 +236,6 @@ final class ScanLabels extends AbstractTableModel {
     @Override
     public void setValueAt(Object value, int row, int column) {
         structures.set(row, value.toString().strip());
-        edited = true;
         fireTableRowsUpdated(row, row);
     }
 }

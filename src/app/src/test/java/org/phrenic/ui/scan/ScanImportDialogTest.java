@@ -123,6 +123,8 @@ class ScanImportDialogTest {
             assertThat(labels.isEdited()).isTrue();
             numbers.setSelectedIndex(0);
             assertThat(labels.isEdited()).as("the file's own structures").isFalse();
+            labels.setValueAt(labels.getValueAt(0, ScanLabels.STRUCTURE_COLUMN), 0, ScanLabels.STRUCTURE_COLUMN);
+            assertThat(labels.isEdited()).as("a cell that was looked at").isFalse();
             assertThat(labels.getValueAt(0, ScanLabels.STRUCTURE_COLUMN)).isEqualTo(guessed);
         });
     }

@@ -143,7 +143,7 @@ class ScanImporterTest {
         Path scan = namedScan();
         Thorax template = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
         ScanLabels edited = ScanLabels.read(scan, template);
-        edited.setValueAt("lungs", 0, ScanLabels.STRUCTURE_COLUMN);
+        edited.setValueAt("spleen", 1, ScanLabels.STRUCTURE_COLUMN);
         Path body = folder.resolve("mueller");
         Path table = body.resolve("labels.csv");
         assertThat(importInto(body, ScanLabels.read(scan, template), scan)
@@ -161,7 +161,7 @@ class ScanImporterTest {
         }
         assertThat(body.resolve("import.json")).content().contains("labels.csv: was in the folder");
         assertThat(importInto(body, edited, scan).body().notes()).noneMatch(note -> note.startsWith("labels.csv"));
-        assertThat(table).content().contains("lungs");
+        assertThat(table).content().contains("lungs", "spleen");
     }
 
     private static JTextField folderField(Component at) {
