@@ -63,7 +63,6 @@ public final class Session implements AutoCloseable {
     private final Timer tickTimer;
     private LiveScene scene;
     private LiveScene bodyAtRest;
-    private volatile LiveScene firstBody;
     private final FirstPicture picture;
     private final EditedScenario edited;
     private final LookingBack lookingBack;
@@ -116,9 +115,9 @@ public final class Session implements AutoCloseable {
         return live;
     }
 
-    /** The body of the scene that loads first, as soon as it is there; on any thread. */
+    /** The body of the scene that loads first, as soon as it is there and until a scene runs; on any thread. */
     public Optional<LiveScene> firstBody() {
-        return Optional.ofNullable(firstBody);
+        return picture.body();
     }
 
     /** Changes made by hand, to undo and redo. */
@@ -296,7 +295,7 @@ public final class Session implements AutoCloseable {
 
         @Override
         public void body(LiveScene atRest) {
-            firstBody = firstBody == null ? atRest : firstBody;
+            picture.offer(atRest);
             SwingUtilities.invokeLater(() -> {
                 if (scene == null) {
                     bodyAtRest = atRest;
@@ -310,6 +309,8 @@ public final class Session implements AutoCloseable {
         public void ready(LiveScene ready) {
             SwingUtilities.invokeLater(() -> {
                 scene = ready;
+                bodyAtRest = null;
+                picture.end();
                 edited.endLoading(ready.id());
                 lookingBack.end();
                 fire(l -> l.onScene(ready));

@@ -151,6 +151,19 @@ class SessionTest {
         }
     }
 
+    /** With all its meshes, also after others are opened. */
+    @Test
+    void theFirstBodyIsNotKeptOnceASceneRuns() {
+        try (Session session = running()) {
+            assertThat(session.firstBody()).isEmpty();
+            EventThread.run(() -> session.open(EditName.of("Again"), SMALL));
+            long first = EventThread.get(() -> session.scene().orElseThrow().id());
+            EventThread.until(
+                    "another scene", () -> session.scene().orElseThrow().id() != first);
+            assertThat(session.firstBody()).isEmpty();
+        }
+    }
+
     /** So that another preset breathes at its own rate again. */
     @Test
     void whatThePresetGivesIsGivenByItAgainAfterUndo() {
