@@ -132,12 +132,11 @@ public final class WindowPreferences {
         put.accept(name, String.valueOf(value));
     }
 
-    /** Files opened lately that exist, the latest first. */
+    /** Files opened lately, the latest first. One on a drive that is away takes long to look for, so none is. */
     public List<Path> recent() {
         return Arrays.stream(get.apply("recent", "").split(SEPARATOR))
                 .filter(text -> !text.isBlank())
                 .flatMap(text -> path(text).stream())
-                .filter(Files::exists)
                 .toList();
     }
 

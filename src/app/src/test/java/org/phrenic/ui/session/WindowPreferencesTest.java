@@ -100,4 +100,14 @@ class WindowPreferencesTest {
         assertThat(preferences.recent()).containsExactly(file);
         assertThat(preferences.folder()).isDirectory();
     }
+
+    /** Whether it is there is found out when it is opened. */
+    @Test
+    void aFileOnADriveThatIsAwayStaysListed() {
+        Map<String, String> stored = new HashMap<>();
+        WindowPreferences preferences = new WindowPreferences(stored::getOrDefault, stored::put);
+        Path away = folder.resolve("away").resolve("scene.yaml");
+        preferences.addRecent(away);
+        assertThat(preferences.recent()).containsExactly(away);
+    }
 }
