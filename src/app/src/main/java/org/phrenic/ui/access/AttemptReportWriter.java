@@ -93,7 +93,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
     void betweenFrames(Consumer<OffscreenContext> what) {
         CompletableFuture<Void> done = new CompletableFuture<>();
         CompletableFuture<Boolean> begun = new CompletableFuture<>();
-        view.runTask(gl -> {
+        Consumer<OffscreenContext> drawing = gl -> {
             if (!begun.complete(true)) {
                 // The report is written without these pictures.
                 return;
@@ -104,9 +104,9 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
             } catch (RuntimeException | Error e) {
                 done.completeExceptionally(e);
             }
-        });
+        };
+        view.runTask(drawing, () -> begun.completeExceptionally(new IllegalStateException("the view has ended")));
         try {
-            // After the view has ended no task runs.
             if (!begun.completeOnTimeout(false, waitMs, TimeUnit.MILLISECONDS).join()) {
                 throw new IllegalStateException("The view did not begin to draw them within "
                         + TimeUnit.MILLISECONDS.toSeconds(waitMs) + " s.");

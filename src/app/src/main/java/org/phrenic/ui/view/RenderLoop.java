@@ -1,11 +1,9 @@
 package org.phrenic.ui.view;
 
 import java.awt.image.BufferedImage;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -72,7 +70,6 @@ public final class RenderLoop implements AutoCloseable {
     /** Time after the last frame from which a coarse one is drawn again, ns. */
     private static final long AT_REST_NS = 300_000_000;
 
-    /** Side of the picture that is drawn out of sight. */
     private static final int PREPARED_PIXELS = 64;
     /** Number of failed frames and tasks, with no successful one between, that ends the view. */
     private static final int MAX_FAILURES = 20;
@@ -85,12 +82,11 @@ public final class RenderLoop implements AutoCloseable {
     private volatile Supplier<Optional<NeedleMarkers>> markSource = Optional::empty;
     private final Thread thread = new Thread(this::run, "phrenic-view");
     private final ReentrantLock lock = new ReentrantLock();
-    private final Queue<Consumer<OffscreenContext>> tasks = new ArrayDeque<>();
+    private final RenderTasks tasks = new RenderTasks();
     private final ImagePool imagePool = new ImagePool();
     private Request requested;
     private long version;
     private boolean closed;
-
     private LiveScene scene;
     private Renderer renderer;
     private Picker picker;
@@ -130,26 +126,28 @@ public final class RenderLoop implements AutoCloseable {
         update(() -> markSource = with);
     }
 
-    /** Runs a task on the render thread. */
-    void runTask(Consumer<OffscreenContext> what) {
-        update(() -> tasks.add(what));
+    /** Runs a task on the render thread; after the end of that, {@code otherwise} on any thread. */
+    void runTask(Consumer<OffscreenContext> what, Runnable otherwise) {
+        tasks.add(what, otherwise);
+        LockSupport.unpark(thread);
     }
 
     /** Draws the present frame at any size; {@code done} gets it on the render thread, unless it cannot be drawn. */
     void snapshot(Camera camera, SceneStyle style, int width, int height, SnapshotListener done) {
-        runTask(gl -> {
+        Consumer<OffscreenContext> drawing = gl -> {
             if (renderer != null) {
                 SceneStyle marked =
                         NeedleMarkers.apply(shownMarks, renderer, style).withSamples(SceneStyle.SMOOTH_SAMPLES);
                 done.drawn(gl.render(renderer, frame, camera, marked, width, height), shownTime, shownMarks);
             }
-        });
+        };
+        runTask(drawing, () -> {});
     }
 
     /** Picks the surface under a pixel; {@code done} gets it on the render thread, or nothing if it cannot be. */
     void pick(
             double px, double py, Request at, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
-        runTask(gl -> {
+        Consumer<OffscreenContext> picking = gl -> {
             Optional<PickResult> found = Optional.empty();
             try {
                 if (scene != null && scene.id() == at.scene().id()) {
@@ -160,7 +158,8 @@ public final class RenderLoop implements AutoCloseable {
             } finally {
                 done.accept(found);
             }
-        });
+        };
+        runTask(picking, () -> done.accept(Optional.empty()));
     }
 
     private void update(Runnable what) {
@@ -183,6 +182,8 @@ public final class RenderLoop implements AutoCloseable {
         } catch (RuntimeException | OutOfMemoryError | LinkageError e) {
             LOG.log(System.Logger.Level.ERROR, "The view stopped", e);
             listener.onUnavailable("The view stopped (" + e.getMessage() + "); everything else goes on.");
+        } finally {
+            tasks.end();
         }
     }
 
@@ -191,12 +192,10 @@ public final class RenderLoop implements AutoCloseable {
         while (true) {
             Request wanted;
             long now;
-            Consumer<OffscreenContext> task;
             lock.lock();
             try {
                 wanted = requested;
                 now = version;
-                task = tasks.peek();
                 if (closed) {
                     return;
                 }
@@ -206,7 +205,7 @@ public final class RenderLoop implements AutoCloseable {
             long begun = System.nanoTime();
             boolean busy = false;
             try {
-                busy = turn(gl, wanted, now, task);
+                busy = turn(gl, wanted, now);
                 failures = busy ? 0 : failures;
             } catch (RuntimeException | OutOfMemoryError e) {
                 // A frame or a task that fails does not end the view, nor does a lack of memory for some seconds. With
@@ -221,21 +220,21 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Runs a task, null for none, and draws if anything has changed; returns whether anything was done. */
-    private boolean turn(OffscreenContext gl, Request wanted, long now, Consumer<OffscreenContext> task) {
+    /** Runs a task, if one waits, and draws if anything has changed; returns whether anything was done. */
+    private boolean turn(OffscreenContext gl, Request wanted, long now) {
+        boolean asked = tasks.isAnyWaiting();
         if (wanted != null) {
             setScene(gl, wanted.scene());
         } else if (scene == null) {
             firstBody.get().ifPresent(body -> prepare(gl, body));
         }
-        if (task != null) {
-            update(tasks::remove);
-            task.accept(gl);
+        if (asked) {
+            tasks.runNext(gl);
         }
         Optional<BufferedImage> canvas = wanted != null && wanted.width() > 0 && wanted.height() > 0
                 ? imagePool.acquire(wanted.width(), wanted.height())
                 : Optional.empty();
-        return canvas.filter(image -> draw(gl, wanted, now, image)).isPresent() || task != null;
+        return canvas.filter(image -> draw(gl, wanted, now, image)).isPresent() || asked;
     }
 
     private boolean draw(OffscreenContext gl, Request wanted, long now, BufferedImage canvas) {
@@ -293,7 +292,6 @@ public final class RenderLoop implements AutoCloseable {
         gl.render(renderer, frame, camera, SceneStyle.atlas(body.surfaces()), PREPARED_PIXELS, PREPARED_PIXELS);
     }
 
-    /** Draws if anything has changed. */
     private boolean draw(OffscreenContext gl, Request wanted, boolean asAsked, BufferedImage canvas) {
         boolean fresh = wanted.historyFrame() < 0
                 ? live.copyNewestFrame(frame)

@@ -187,9 +187,9 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         renderLoop.setMarkSource(marks);
     }
 
-    /** Runs a task on the render thread. */
-    public void runTask(Consumer<OffscreenContext> what) {
-        renderLoop.runTask(what);
+    /** Runs a task on the render thread; where that has ended, {@code otherwise}. */
+    public void runTask(Consumer<OffscreenContext> what, Runnable otherwise) {
+        renderLoop.runTask(what, otherwise);
     }
 
     /** A click: for the tool if it is picking, else it names the structure. */

@@ -200,13 +200,14 @@ public final class WindowFiles {
             drawn.set(true);
             SwingUtilities.invokeLater(() -> savePicture(file, image));
         });
-        // Comes after the picture, whatever becomes of that.
-        view.runTask(gl -> SwingUtilities.invokeLater(() -> {
+        Runnable end = () -> SwingUtilities.invokeLater(() -> {
             drawing.end();
             if (!drawn.get()) {
                 session.refuse("The picture could not be drawn; " + file + " is not written.");
             }
-        }));
+        });
+        // Comes after the picture, whatever becomes of that.
+        view.runTask(gl -> end.run(), end);
     }
 
     private void savePicture(Path file, BufferedImage image) {

@@ -13,12 +13,14 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
@@ -95,7 +97,7 @@ class AttemptReportWriterTest {
 
     private void requireView() {
         CountDownLatch drawn = new CountDownLatch(1);
-        view.runTask(gl -> drawn.countDown());
+        view.runTask(gl -> drawn.countDown(), () -> {});
         EventThread.until("a view, or none", () -> drawn.getCount() == 0 || view.isUnavailable());
         assumeThat(view.isUnavailable()).as(view.unavailableReason()).isFalse();
     }
@@ -140,15 +142,16 @@ class AttemptReportWriterTest {
     void noPictureIsDrawnOnceTheReportIsSavedWithoutIt() throws Exception {
         CountDownLatch busy = new CountDownLatch(1);
         CompletableFuture<Void> goOn = new CompletableFuture<>();
-        view.runTask(gl -> {
+        Consumer<OffscreenContext> work = gl -> {
             busy.countDown();
             goOn.join();
-        });
+        };
+        view.runTask(work, () -> {});
         EventThread.until("a busy view, or none", () -> busy.getCount() == 0 || view.isUnavailable());
         assumeThat(view.isUnavailable()).isFalse();
         assertThat(outcome(folder, 1)).startsWith(SAVED).contains("did not begin");
         CountDownLatch idle = new CountDownLatch(1);
-        view.runTask(gl -> idle.countDown());
+        view.runTask(gl -> idle.countDown(), () -> {});
         goOn.complete(null);
         assertThat(idle.await(PATIENCE_MS, TimeUnit.MILLISECONDS)).isTrue();
         assertThat(folder).isDirectoryNotContaining("glob:**.png");

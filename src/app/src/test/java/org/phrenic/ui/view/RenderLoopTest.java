@@ -73,10 +73,12 @@ class RenderLoopTest {
             try {
                 for (int frame = 0; frame < 20; frame++) {
                     CountDownLatch failed = new CountDownLatch(1);
-                    loop.runTask(gl -> {
-                        failed.countDown();
-                        throw new IllegalStateException("no current context");
-                    });
+                    loop.runTask(
+                            gl -> {
+                                failed.countDown();
+                                throw new IllegalStateException("no current context");
+                            },
+                            () -> {});
                     assertThat(failed.await(100, TimeUnit.SECONDS)).isTrue();
                     Thread.sleep(20);
                 }
@@ -84,6 +86,11 @@ class RenderLoopTest {
                         .failsWithin(100, TimeUnit.SECONDS)
                         .withThrowableOfType(ExecutionException.class)
                         .withMessageContaining("The view stopped (no current context)");
+                CountDownLatch told = new CountDownLatch(1);
+                loop.runTask(gl -> {}, told::countDown);
+                assertThat(told.await(100, TimeUnit.SECONDS))
+                        .as("that nothing is drawn")
+                        .isTrue();
             } finally {
                 loop.close();
             }
@@ -170,7 +177,7 @@ class RenderLoopTest {
                     body.overlays(),
                     () -> {
                         if (attempts.getAndIncrement() == 0) {
-                            loop.runTask(gl -> written.complete(true));
+                            loop.runTask(gl -> written.complete(true), () -> {});
                         }
                         if (attempts.get() < 4) {
                             throw new OutOfMemoryError("frame");
@@ -197,21 +204,14 @@ class RenderLoopTest {
     @Test
     void meshesAreSentBeforeTheFirstPictureIsAskedFor() throws Exception {
         FirstPicture first = new FirstPicture();
-        try (Session session =
-                new Session(Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1"))) {
-            CompletableFuture<LiveScene> body = new CompletableFuture<>();
-            RenderLoop loop = new RenderLoop(
-                    session.live(),
-                    () -> {
-                        session.firstBody().ifPresent(body::complete);
-                        return session.firstBody();
-                    },
-                    first);
+        Scenario small = Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1");
+        try (Session session = new Session(small)) {
+            LiveScene shown = atRest(small);
+            RenderLoop loop = new RenderLoop(session.live(), () -> Optional.of(shown), first);
             loop.start();
             try {
-                LiveScene shown = body.get(100, TimeUnit.SECONDS);
                 CountDownLatch prepared = new CountDownLatch(1);
-                loop.runTask(gl -> prepared.countDown());
+                loop.runTask(gl -> prepared.countDown(), () -> {});
                 assertThat(prepared.await(100, TimeUnit.SECONDS)).isTrue();
                 loop.request(request(shown));
                 FrameStatistics cost = first.picture.get(100, TimeUnit.SECONDS).cost();

@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -49,6 +50,7 @@ import org.phrenic.patient.ScanSamples;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.view.SceneViewport;
@@ -463,10 +465,11 @@ class WindowTest {
     @Test
     void aTaskThatFailsDoesNotEndTheView() throws Exception {
         CountDownLatch later = new CountDownLatch(1);
-        window.window().view().runTask(gl -> {
+        Consumer<OffscreenContext> failing = gl -> {
             throw new IllegalStateException("found 4754 values, expected 6966");
-        });
-        window.window().view().runTask(gl -> later.countDown());
+        };
+        window.window().view().runTask(failing, () -> {});
+        window.window().view().runTask(gl -> later.countDown(), () -> {});
         assertThat(later.await(30, TimeUnit.SECONDS)).isTrue();
         assertThat(window.window().view().isUnavailable()).isFalse();
     }
