@@ -240,10 +240,12 @@ public final class RenderLoop implements AutoCloseable {
     private boolean draw(OffscreenContext gl, Request wanted, long now, BufferedImage canvas) {
         long begunNs = System.nanoTime();
         boolean drawn = false;
+        boolean asAsked = now != drawnVersion;
+        drawnVersion = -1; // until it is drawn
         try {
-            drawn = draw(gl, wanted, now != drawnVersion, canvas);
-        } finally {
+            drawn = draw(gl, wanted, asAsked, canvas);
             drawnVersion = now;
+        } finally {
             if (!drawn) {
                 imagePool.release(canvas);
             }

@@ -200,6 +200,30 @@ class RenderLoopTest {
         }
     }
 
+    /** As without memory for its buffers: nothing else asks for it in a pause. */
+    @Test
+    void aPictureThatFailsIsDrawnAgain() throws Exception {
+        Scenario small = Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1");
+        FirstPicture first = new FirstPicture();
+        AtomicInteger attempts = new AtomicInteger();
+        try (Session session = new Session(small)) {
+            RenderLoop loop = new RenderLoop(session.live(), Optional::empty, first);
+            loop.setMarkSource(() -> {
+                if (attempts.getAndIncrement() == 0) {
+                    throw new OutOfMemoryError("buffer");
+                }
+                return Optional.empty();
+            });
+            loop.start();
+            try {
+                loop.request(request(atRest(small)));
+                assertThat(first.picture.get(100, TimeUnit.SECONDS)).isNotNull();
+            } finally {
+                loop.close();
+            }
+        }
+    }
+
     /** What is sent with the first picture keeps the user waiting. */
     @Test
     void meshesAreSentBeforeTheFirstPictureIsAskedFor() throws Exception {

@@ -39,7 +39,7 @@ final class RenderTargets {
         try {
             drawTarget = new Framebuffer(gl, resources, drawnWidth, drawnHeight, samples, true);
             resolved = isCopied ? new Framebuffer(gl, resources, width, height, 0, samples > 0) : drawTarget;
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             resources.deleteAll(gl);
             throw e;
         }

@@ -125,7 +125,7 @@ public final class Renderer {
             opaque = new OpaquePass(faces, screen, new CapPass(gl, resources));
             translucent = new TranslucentPass(faces, screen);
             scene = whole;
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             resources.deleteAll(gl);
             throw e;
         }
