@@ -10,8 +10,8 @@ import org.phrenic.simulation.live.StepListener;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Records the first breath of a live run, counted from its start or latest restart. The moments are bit-identical to
- * those of {@link BreathCycle#record}.
+ * Records the first breath of a live run, or those of a pattern that repeats after several, counted from its start or
+ * latest restart. The moments are bit-identical to those of {@link BreathCycle#record}.
  */
 public final class CycleRecorder implements StepListener, StepListener.Trigger {
     private final LiveRun run;
@@ -20,13 +20,14 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
     private final DoubleConsumer progress;
     private final Consumer<List<BreathMoment>> whole;
     private final List<BreathMoment> moments = new ArrayList<>();
-    private double breathS;
+    private double recordedS;
+    private int count;
 
     /**
      * @param run the run that the recorder is added to as listener and trigger
      * @param ofScene a frame of the scene; frames of other scenes are ignored
-     * @param phases number of moments
-     * @param progress receives the recorded fraction of the breath, 0 to 1, on the thread of the run
+     * @param phases number of moments of a breath
+     * @param progress receives the recorded fraction, 0 to 1, on the thread of the run
      * @param whole receives all moments once, on the thread of the run
      */
     public CycleRecorder(
@@ -44,7 +45,7 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
             return true;
         }
         int next = moments.size();
-        return next > 0 && next < phases && BreathCycle.isDue(timeS, dtS, breathS, next, phases);
+        return next > 0 && next < count && BreathCycle.isDue(timeS, dtS, recordedS, next, count);
     }
 
     @Override
@@ -54,11 +55,12 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
         }
         if (frame.step() == 0) {
             moments.clear();
-            breathS = run.breathDurationS();
+            recordedS = BreathCycle.recordedS(run.breathDurationS());
+            count = BreathCycle.moments(phases, run.breathsIn(recordedS));
         }
         moments.add(new BreathMoment(frame.copy(), label));
-        progress.accept((double) moments.size() / phases);
-        if (moments.size() == phases) {
+        progress.accept((double) moments.size() / count);
+        if (moments.size() == count) {
             whole.accept(List.copyOf(moments));
         }
     }

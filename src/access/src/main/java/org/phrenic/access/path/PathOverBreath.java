@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.LiverTissue;
 import org.phrenic.access.MovingAnatomy;
@@ -94,9 +95,9 @@ public record PathOverBreath(
     public Map<String, Object> toMap() {
         List<OrderedValues> moments =
                 IntStream.range(0, analyses.size()).mapToObj(this::momentMap).toList();
-        return new OrderedValues()
-                .with("moments", analyses.size())
-                .with("free_moments", freeMoments())
+        OrderedValues map = new OrderedValues().with("moments", analyses.size());
+        BreathCycle.limits(cycle).ifPresent(limits -> map.put("limits", limits));
+        return map.with("free_moments", freeMoments())
                 .with("target_moves_mm", motion.excursionMm())
                 .with("target_range_lr_ap_si_mm", motion.rangeMm())
                 .with("at_end_expiration", analyses.get(0).toMap())

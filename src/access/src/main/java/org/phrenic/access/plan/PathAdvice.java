@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.BodySurfaces;
+import org.phrenic.access.BreathCycle;
 import org.phrenic.access.MovingStructure;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathAnalysis;
@@ -43,15 +44,14 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
     }
 
     /**
-     * Advice on a path in a body, with remarks on what the body lacks, and on skin and structures that a margin is
-     * measured from where its scan does not show them.
+     * Advice on a path in a body, with remarks on what of the breathing is not recorded, on what the body lacks, and on
+     * skin and structures that a margin is measured from where its scan does not show them.
      */
     public static PathAdvice of(PathOverBreath path, BodySurfaces body) {
         PathAdvice advice = of(path);
         List<String> names = body.surfaces().stream().map(Surface::name).toList();
-        Optional<String> absent = AbsentObstacles.sentence(names);
-        if (absent.isPresent()) {
-            advice = advice.withRemark(absent.get());
+        for (Optional<String> remark : List.of(BreathCycle.limits(path.cycle()), AbsentObstacles.sentence(names))) {
+            advice = remark.map(advice::withRemark).orElse(advice);
         }
         String unseen = body.surfaces().stream()
                 .filter(s -> body.notInScan().contains(s.name()))

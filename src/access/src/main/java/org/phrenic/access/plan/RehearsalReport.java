@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetMotion;
@@ -285,7 +286,8 @@ public final class RehearsalReport {
                         .map(c -> c.label() + " from " + mm(c.fromMm()) + " to " + mm(c.toMm()) + " mm")
                         .collect(Collectors.joining(", "))
                 + ". Free at " + path.freeMoments() + " of "
-                + path.analyses().size() + " moments.");
+                + path.analyses().size() + " moments"
+                + BreathCycle.limits(path.cycle()).map(limits -> "; " + limits).orElse("") + ".");
         List<List<String>> rows = new ArrayList<>();
         for (int m = 0; m < path.analyses().size(); m++) {
             BreathMoment moment = path.cycle().get(m);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.access.BodySurfaces;
@@ -17,6 +18,7 @@ import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Observation;
 
 class PathAdviceTest {
     /**
@@ -72,6 +74,28 @@ class PathAdviceTest {
                 TargetLesion.at(scene, new double[] {90, 0, z}, 20),
                 Needle.standard(),
                 EnumSet.of(avoided));
+    }
+
+    /** Three breaths in two moments. */
+    @Test
+    void whatOfTheBreathingIsNotJudgedIsSaid() {
+        BoxAnatomy body = new BoxAnatomy();
+        MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+        scene.update(body.still(0));
+        Frame third = body.still(3);
+        third.values()[Observation.COLUMNS.indexOf("breath")] = 2;
+        List<BreathMoment> breaths = List.of(
+                new BreathMoment(body.still(0), RespiratoryPhase.PAUSE),
+                new BreathMoment(third, RespiratoryPhase.PAUSE));
+        TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
+        PathOverBreath path = PathOverBreath.of(
+                scene, breaths, new double[] {0, 0, -20}, target, Needle.standard(), NoGoZone.defaults());
+        String limits = "judged at 2 moments of the first 6 s, 0.7 a breath";
+        PathAdvice advice = PathAdvice.of(path, new BodySurfaces(body.surfaces));
+        assertThat(advice.level()).isEqualTo(PathAdvice.Level.CAREFUL);
+        assertThat(advice.reasons()).hasSize(2).first().isEqualTo(limits);
+        assertThat(path.toMap()).containsEntry("limits", limits);
+        assertThat(level(body, -20, NoGoZone.LUNG).toMap()).doesNotContainKey("limits");
     }
 
     /** The target is 90 mm from the entry at rest and 110 mm when the breath has carried it away from the skin. */

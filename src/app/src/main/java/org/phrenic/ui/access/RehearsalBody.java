@@ -48,17 +48,22 @@ record RehearsalBody(
         return new BodySurfaces(scene.surfaces(), scene.body());
     }
 
+    /** The body at the moments of the breathing, so many of each breath. */
+    record Recorded(List<BreathMoment> moments, int phases) {
+        static final Recorded NONE = new Recorded(List.of(), 0);
+    }
+
     /** A target, its access map and the colours of the map on the skin. */
     record StudiedTarget(RehearsalPlan plan, TargetAccess study, AccessMapField colours) {}
 
     /** Computes the access map of a target; takes a while, and leaves a processor to the window. */
     StudiedTarget studyTarget(
-            TargetLesion target, List<BreathMoment> breath, Optional<RehearsalPlan> exercise, Scenario scenario) {
+            TargetLesion target, Recorded breath, Optional<RehearsalPlan> exercise, Scenario scenario) {
         RehearsalPlan meant =
-                exercise.orElseGet(() -> RehearsalPlan.practice(scenario, target, Needle.standard(), breath.size()));
+                exercise.orElseGet(() -> RehearsalPlan.practice(scenario, target, Needle.standard(), breath.phases()));
         try (Workers workers = Workers.of(Math.max(1, Runtime.getRuntime().availableProcessors() - 1))) {
             TargetAccess study =
-                    TargetAccess.of(planningScene, breath, target, meant.needle(), meant.avoided(), workers);
+                    TargetAccess.of(planningScene, breath.moments(), target, meant.needle(), meant.avoided(), workers);
             return new StudiedTarget(meant, study, new AccessMapField(scene.surfaces(), study.map()));
         }
     }

@@ -7,7 +7,6 @@ import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.BreathCycle;
-import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CycleRecorder;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.ScannedLesion;
@@ -45,7 +44,7 @@ final class RehearsalPreparation {
     private final RehearsalController rehearsal;
     private Scenario recorded = Scenario.defaults();
     private boolean setsRepetition;
-    private List<BreathMoment> cycle = List.of();
+    private RehearsalBody.Recorded cycle = RehearsalBody.Recorded.NONE;
     private long sceneId = NO_SCENE;
     /** What is rehearsed again if the scene of another exercise does not come; empty while none is waited for. */
     private Optional<Rehearsed> former = Optional.empty();
@@ -80,7 +79,7 @@ final class RehearsalPreparation {
     void setBody(LiveScene scene) {
         enter(RehearsalStage.LOADING);
         rehearsal.body = Optional.empty();
-        cycle = List.of();
+        cycle = RehearsalBody.Recorded.NONE;
         Rehearsed before = former.orElseGet(this::rehearsed);
         clearTarget();
         if (scene.id() == sceneId) {
@@ -145,7 +144,7 @@ final class RehearsalPreparation {
 
     private void recordBreath() {
         enter(RehearsalStage.RECORDING_BREATH);
-        cycle = List.of();
+        cycle = RehearsalBody.Recorded.NONE;
         rehearsal.entrySelection().clear();
         rehearsal.recordedFraction = 0;
         followBreathing(session.scenario());
@@ -155,20 +154,20 @@ final class RehearsalPreparation {
                 .exercise
                 .map(exercise -> exercise.scenario().get(Breathing.REPEAT))
                 .orElse(true));
-        int moments = rehearsal.exercise.map(RehearsalPlan::moments).orElse(BreathCycle.PHASES);
+        int phases = rehearsal.exercise.map(RehearsalPlan::moments).orElse(BreathCycle.PHASES);
         Frame frame = rehearsal.body.orElseThrow().frame();
         BooleanSupplier wanted = worker.notDiscardedSince();
         recorded = session.scenario();
         CycleRecorder recorder = new CycleRecorder(
                 session.live(),
                 frame,
-                moments,
+                phases,
                 fraction -> onEventThread(wanted, () -> {
                     rehearsal.recordedFraction = fraction;
                     rehearsal.fireState();
                 }),
                 whole -> onEventThread(wanted, () -> {
-                    cycle = whole;
+                    cycle = new RehearsalBody.Recorded(whole, phases);
                     computeMap();
                 }));
         session.live().setSpeed(Double.POSITIVE_INFINITY);
@@ -243,7 +242,7 @@ final class RehearsalPreparation {
         rehearsal.fireState();
         RehearsalBody body = rehearsal.body.orElseThrow();
         Scenario scenario = session.scenario().with("hold=false");
-        List<BreathMoment> breath = cycle;
+        RehearsalBody.Recorded breath = cycle;
         Optional<RehearsalPlan> exercise = rehearsal.exercise;
         worker.run(
                 () -> body.studyTarget(target.call(), breath, exercise, scenario),
@@ -281,7 +280,7 @@ final class RehearsalPreparation {
             rehearsal.exercise = Optional.empty();
             former = Optional.empty();
             clearTarget();
-            if (rehearsal.stage != RehearsalStage.LOADING && !cycle.isEmpty()) {
+            if (rehearsal.stage != RehearsalStage.LOADING && cycle != RehearsalBody.Recorded.NONE) {
                 computeMap();
             }
         }

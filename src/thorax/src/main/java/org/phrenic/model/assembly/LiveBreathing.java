@@ -23,6 +23,8 @@ public final class LiveBreathing implements BreathingPattern {
 
     /** Phases that differ by less are one. */
     private static final double SAME_PHASE = 1e-9;
+    /** Times that differ by less are one, s. */
+    private static final double SAME_TIME_S = 1e-6;
 
     private final TimeWarp clock;
     private final List<Double> cutShortS = new ArrayList<>();
@@ -115,6 +117,15 @@ public final class LiveBreathing implements BreathingPattern {
     /** Period of the last pattern that was set, s; infinite if it is not periodic. */
     public double patternPeriodS() {
         return state.base.periodS();
+    }
+
+    /** Number of breaths that end between two times, with the breathing as it is, s. */
+    public int breathsBetween(double fromS, double toS) {
+        BreathState breath = new BreathState();
+        at(fromS, breath);
+        int before = breath.breath;
+        at(toS + SAME_TIME_S, breath);
+        return breath.breath - before;
     }
 
     @Override

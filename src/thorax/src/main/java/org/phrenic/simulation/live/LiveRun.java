@@ -287,6 +287,13 @@ public final class LiveRun implements AutoCloseable {
         return loop.commands.submitAndWait(() -> loop.running == null ? 0 : loop.running.simulation.breathDurationS());
     }
 
+    /** Number of breaths that end within a time from the start on, with the breathing as it is; 0 before a scene. */
+    public int breathsIn(double durationS) {
+        return loop.commands.submitAndWait(() -> loop.running == null
+                ? 0
+                : loop.running.simulation.scene().drive().pattern().breathsBetween(0, durationS));
+    }
+
     /**
      * Sets the step listener and what triggers its calls, rounded to whole steps, also after a reset and in later
      * scenes. Replaces the previous listener. {@link StepListener} says on which thread it is called.

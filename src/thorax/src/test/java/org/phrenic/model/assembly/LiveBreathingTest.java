@@ -29,6 +29,17 @@ class LiveBreathingTest {
         return Breathing.patternOf(Scenario.defaults().with(settings));
     }
 
+    /** Sixteen breaths of 2.5 s and an apnoea of 20 s. */
+    @Test
+    void breathsThatEndWithinATimeAreCounted() {
+        LiveBreathing cheyneStokes = breathing("preset=cheyne-stokes");
+        assertThat(cheyneStokes.breathsBetween(0, 60)).isEqualTo(16);
+        assertThat(cheyneStokes.breathsBetween(0, 25)).isEqualTo(10);
+        assertThat(cheyneStokes.breathsBetween(60, 85)).isEqualTo(10);
+        assertThat(breathing().breathsBetween(0, 4)).isEqualTo(1);
+        assertThat(breathing().breathsBetween(0, 3.9)).isZero();
+    }
+
     /** Breaths of 4 s, whose expiration is over after 3.4 s. */
     @ParameterizedTest
     @CsvSource({"0, 0, false", "0.5, 1, true", "3.3, 1, true", "3.9, 1, false", "4, 1, false", "6, 2, true"})
