@@ -280,7 +280,7 @@ final class RehearsalPreparation {
             rehearsal.exercise = Optional.empty();
             former = Optional.empty();
             clearTarget();
-            if (rehearsal.stage != RehearsalStage.LOADING && cycle != RehearsalBody.Recorded.NONE) {
+            if (rehearsal.stage != RehearsalStage.LOADING && cycle.phases() > 0) {
                 computeMap();
             }
         }
