@@ -33,6 +33,9 @@ import org.phrenic.simulation.observe.Frame;
  * <p>Not thread-safe.
  */
 public final class NeedleInsertion {
+    /** Least depth that a needle is aimed at, mm. */
+    public static final double LEAST_AIM_MM = 1;
+
     private static final double TOLERANCE_MM = 1e-9;
 
     private final MovingAnatomy anatomy;
@@ -58,7 +61,7 @@ public final class NeedleInsertion {
         this.needle = needle;
         tissue = new LiverTissue(anatomy);
         targetCentre = tissue.pointAtRest(target.restMm());
-        shaft = new NeedleShaft(tissue);
+        shaft = new NeedleShaft(tissue, needle.lengthMm());
         analyzer = new PathAnalyzer(anatomy, needle);
         ahead = new WayAhead(anatomy, analyzer, needle, shaft);
         log = new AttemptLog(avoided);
@@ -216,10 +219,13 @@ public final class NeedleInsertion {
         }
     }
 
-    /** Depth below the skin at which the needle passes nearest to the centre of the target, mm; at least 1. */
+    /**
+     * Depth below the skin at which the needle passes nearest to the centre of the target, mm; at least
+     * {@link #LEAST_AIM_MM}.
+     */
     public double targetDepthMm() {
         double[] toTarget = Vectors.subtract(targetNow(), shaft.entry());
-        return Math.max(1, Math.min(needle.lengthMm(), Vectors.dot(toTarget, shaft.direction())));
+        return Math.max(LEAST_AIM_MM, Math.min(needle.lengthMm(), Vectors.dot(toTarget, shaft.direction())));
     }
 
     /**

@@ -12,6 +12,7 @@ import org.phrenic.mesh.Vectors;
  */
 public final class NeedleShaft {
     private final LiverTissue tissue;
+    private final double lengthMm;
     private Optional<SkinPoint> skin = Optional.empty();
     private double[] entry = new double[3];
     private double[] direction = new double[3];
@@ -22,8 +23,9 @@ public final class NeedleShaft {
     private double[] directionAtCapsule = new double[3];
     private int placements;
 
-    NeedleShaft(LiverTissue tissue) {
+    NeedleShaft(LiverTissue tissue, double lengthMm) {
         this.tissue = tissue;
+        this.lengthMm = lengthMm;
     }
 
     /** Places the tip on the skin and points the needle at {@code aim}. */
@@ -50,7 +52,10 @@ public final class NeedleShaft {
         direction = Vectors.normalize(Vectors.subtract(aim, entry));
     }
 
-    /** Follows skin and tissue to the current frame. Returns the change of depth, mm. */
+    /**
+     * Follows skin and tissue to the current frame; where the hub then lies on the skin, tissue that moves farther away
+     * slips off the tip. Returns the change of depth, mm.
+     */
     double followTissue() {
         entry = skin.orElseThrow().current();
         if (tip.isEmpty()) {
@@ -58,10 +63,14 @@ public final class NeedleShaft {
         }
         double[] line = Vectors.subtract(tissue.position(tip.get()), entry);
         double length = Vectors.length(line);
-        double change = length - depth;
-        depth = length;
+        double before = depth;
         direction = Vectors.normalize(line);
-        return change;
+        if (length > lengthMm) {
+            moveTo(lengthMm);
+        } else {
+            depth = length;
+        }
+        return depth - before;
     }
 
     /** Moves the tip to a depth. An anchored tip is anchored again at the new depth. */

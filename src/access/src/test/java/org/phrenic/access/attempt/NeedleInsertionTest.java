@@ -392,6 +392,25 @@ class NeedleInsertionTest {
         assertThat(session.shaft().depth()).isEqualTo(60);
     }
 
+    /** From 100 mm deep the liver goes 20 mm farther than a needle of 105 mm is long, and comes back. */
+    @Test
+    void tissueThatGoesFartherThanTheNeedleIsLongSlipsOffItsTip() {
+        NeedleInsertion session = session(20, new Needle(18, 105));
+        session.place(new double[] {0, 0, -20}, new double[] {100, 0, -20});
+        session.advance(100, AT_ONCE);
+        next(session);
+        assertThat(session.shaft().isTipAnchored()).isTrue();
+        double[][] shiftAndDepth = {{3, 103}, {20, 105}, {24, 105}, {0, 81}};
+        for (double[] step : shiftAndDepth) {
+            frames++;
+            session.update(
+                    body.frame(frames * FRAME_S, 0, new double[] {step[0], 0, 0}, -100, ribShift),
+                    RespiratoryPhase.INSPIRATION);
+            assertThat(session.shaft().depth()).isCloseTo(step[1], within(TOLERANCE_MM));
+            assertThat(session.shaft().depth()).isLessThanOrEqualTo(105);
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {60.501, 60.52, 60.6})
     void whatIsBeyondANeedleIsSaidToBe(double mm) {
