@@ -55,7 +55,9 @@ final class NeedleObserver {
                 ? shaft.direction()
                 : planned.angles().map(NeedleAngles::direction).orElseGet(() -> toward(start, centre));
         double along = Vectors.dot(Vectors.subtract(centre, start), direction);
-        double aimed = placed ? Math.max(aimedMm, shaft.depth()) : Math.max(1, along);
+        double ahead = placed ? Math.max(aimedMm, shaft.depth()) : along;
+        double aimed =
+                ahead > NeedleInsertion.LEAST_AIM_MM ? ahead : plan.needle().lengthMm();
         double[] end = Vectors.addScaled(start, direction, aimed);
         Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
         boolean reaches =

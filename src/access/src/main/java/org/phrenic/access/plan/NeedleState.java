@@ -18,7 +18,8 @@ import org.phrenic.mesh.Vectors;
  * @param tip tip of the needle; before placement, of the planned needle
  * @param depthMm depth of the tip below the skin, mm
  * @param aimedDepthMm length of the path that is judged, mm: the depth to which a placed needle is aimed, or that of
- *     its tip if it is deeper; before placement, the depth of the target
+ *     its tip if it is deeper; before placement, the depth of the target; the length of a needle that points away from
+ *     it
  * @param targetingError targeting error; empty before placement
  * @param reasons reasons why the path from the skin to the target, or to the aimed depth of a placed needle, is not
  *     free, as text; empty if it is free

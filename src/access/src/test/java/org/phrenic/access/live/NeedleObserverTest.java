@@ -13,6 +13,7 @@ import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.SkinPoint;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.plan.HeldProbe;
 import org.phrenic.access.plan.NeedleState;
@@ -30,8 +31,12 @@ class NeedleObserverTest {
     private final MovingAnatomy scene = new MovingAnatomy(body.surfaces);
 
     private NeedleInsertion needle(double lengthMm) {
+        return needle(lengthMm, TARGET);
+    }
+
+    private NeedleInsertion needle(double lengthMm, double[] at) {
         scene.update(body.still(0));
-        TargetLesion target = TargetLesion.at(scene, TARGET, DIAMETER_MM);
+        TargetLesion target = TargetLesion.at(scene, at, DIAMETER_MM);
         return new NeedleInsertion(
                 scene,
                 target,
@@ -41,6 +46,10 @@ class NeedleObserverTest {
     }
 
     private NeedleState state(NeedleInsertion needle, double aimedMm) {
+        return state(needle, aimedMm, Optional.empty());
+    }
+
+    private NeedleState state(NeedleInsertion needle, double aimedMm, Optional<NeedleAngles> angles) {
         RehearsalPlan plan =
                 RehearsalPlan.practice(Scenario.defaults(), needle.target(), needle.needle(), BreathCycle.PHASES);
         Optional<SkinPoint> entry = Optional.of(SkinPoint.atRest(scene.skin(), ENTRY));
@@ -48,7 +57,7 @@ class NeedleObserverTest {
                 .describe(
                         needle,
                         new HeldProbe(scene),
-                        new NeedleObserver.Planned(entry, Optional.empty()),
+                        new NeedleObserver.Planned(entry, angles),
                         aimedMm,
                         body.still(0),
                         RespiratoryPhase.PAUSE);
@@ -93,5 +102,18 @@ class NeedleObserverTest {
             needle.place(ENTRY, to);
             assertThat(state(needle, 60).reasons()).isEmpty();
         }
+    }
+
+    /** Insertion would push the needle through the lung, to its hub. */
+    @Test
+    void aNeedleThatPointsAwayFromTheTargetIsJudgedOverItsLength() {
+        NeedleInsertion needle = needle(150, new double[] {90, 0, -100});
+        double[] away = {0.66, 0, 0.75};
+        NeedleState planned = state(needle, 0, Optional.of(NeedleAngles.of(away)));
+        assertThat(planned.aimedDepthMm()).isEqualTo(150);
+        assertThat(planned.reasons()).contains("crosses lung");
+        needle.update(body.still(0), RespiratoryPhase.PAUSE);
+        needle.place(ENTRY, new double[] {66, 0, 55});
+        assertThat(state(needle, needle.targetDepthMm()).reasons()).contains("crosses lung");
     }
 }
