@@ -16,6 +16,9 @@ import org.phrenic.mesh.Vectors;
  *     takes its sample at the tip
  */
 public record Needle(int gauge, double lengthMm, double coreMm) {
+    /** Least depth that a needle is aimed at, mm. */
+    public static final double LEAST_AIM_MM = 1;
+
     /** Outer diameter of needle tubing by gauge, mm (ISO 9626 nominal sizes). */
     private static final Map<Integer, Double> DIAMETER_MM =
             Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7);

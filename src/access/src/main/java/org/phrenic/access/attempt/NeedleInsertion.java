@@ -33,9 +33,6 @@ import org.phrenic.simulation.observe.Frame;
  * <p>Not thread-safe.
  */
 public final class NeedleInsertion {
-    /** Least depth that a needle is aimed at, mm. */
-    public static final double LEAST_AIM_MM = 1;
-
     private static final double TOLERANCE_MM = 1e-9;
 
     private final MovingAnatomy anatomy;
@@ -221,11 +218,11 @@ public final class NeedleInsertion {
 
     /**
      * Depth below the skin at which the needle passes nearest to the centre of the target, mm; at least
-     * {@link #LEAST_AIM_MM}.
+     * {@link Needle#LEAST_AIM_MM}.
      */
     public double targetDepthMm() {
         double[] toTarget = Vectors.subtract(targetNow(), shaft.entry());
-        return Math.max(LEAST_AIM_MM, Math.min(needle.lengthMm(), Vectors.dot(toTarget, shaft.direction())));
+        return Math.max(Needle.LEAST_AIM_MM, Math.min(needle.lengthMm(), Vectors.dot(toTarget, shaft.direction())));
     }
 
     /**

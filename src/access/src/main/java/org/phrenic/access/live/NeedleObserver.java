@@ -3,6 +3,7 @@ package org.phrenic.access.live;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
 import org.phrenic.access.SkinPoint;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
@@ -56,8 +57,7 @@ final class NeedleObserver {
                 : planned.angles().map(NeedleAngles::direction).orElseGet(() -> toward(start, centre));
         double along = Vectors.dot(Vectors.subtract(centre, start), direction);
         double ahead = placed ? Math.max(aimedMm, shaft.depth()) : along;
-        double aimed =
-                ahead > NeedleInsertion.LEAST_AIM_MM ? ahead : plan.needle().lengthMm();
+        double aimed = ahead > Needle.LEAST_AIM_MM ? ahead : plan.needle().lengthMm();
         double[] end = Vectors.addScaled(start, direction, aimed);
         Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
         boolean reaches =
