@@ -13,9 +13,11 @@ import org.phrenic.mesh.Vectors;
  * @param axialMm distance from the sample to the centre along the needle, mm; negative if the sample is past the centre
  * @param lateralMm distance of the centre from the axis of the needle, mm
  * @param hit whether the tip is in the liver and inside the target, or a part of the core inside the target
+ * @param coreMm length of the core, which bone may end, mm; 0 without a core
  * @param coreInTargetMm length of the core inside the target, mm; empty without a core
  */
-public record TargetingError(double axialMm, double lateralMm, boolean hit, OptionalDouble coreInTargetMm) {
+public record TargetingError(
+        double axialMm, double lateralMm, boolean hit, double coreMm, OptionalDouble coreInTargetMm) {
     /**
      * Of a needle in its pose, to the place of the target's centre.
      *
@@ -28,11 +30,11 @@ public record TargetingError(double axialMm, double lateralMm, boolean hit, Opti
         double lateral = Vectors.length(Vectors.addScaled(d, direction, -axial));
         if (core.isEmpty()) {
             boolean hit = needle.isTipAnchored() && Vectors.length(d) <= target.radiusMm();
-            return new TargetingError(axial, lateral, hit, OptionalDouble.empty());
+            return new TargetingError(axial, lateral, hit, 0, OptionalDouble.empty());
         }
         double coreMm = core.getAsDouble();
         double inTarget = chord(axial, lateral, target.radiusMm(), coreMm);
-        return new TargetingError(axial - coreMm / 2, lateral, inTarget > 0, OptionalDouble.of(inTarget));
+        return new TargetingError(axial - coreMm / 2, lateral, inTarget > 0, coreMm, OptionalDouble.of(inTarget));
     }
 
     /** Length of the part from 0 to {@code coreMm} of a line that lies in a ball. */
@@ -56,7 +58,7 @@ public record TargetingError(double axialMm, double lateralMm, boolean hit, Opti
                 .with("distance_mm", distanceMm())
                 .with("axial_mm", axialMm)
                 .with("lateral_mm", lateralMm);
-        coreInTargetMm.ifPresent(mm -> map.put("core_in_target_mm", mm));
+        coreInTargetMm.ifPresent(mm -> map.with("core_mm", coreMm).put("core_in_target_mm", mm));
         return map;
     }
 }

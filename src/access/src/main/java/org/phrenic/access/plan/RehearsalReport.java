@@ -181,7 +181,7 @@ public final class RehearsalReport {
     private String core(TargetingError sample) {
         return sample.coreInTargetMm().isEmpty()
                 ? ""
-                : " Of its core of " + mm(record.needle().coreMm()) + " mm, "
+                : " Of its core of " + mm(sample.coreMm()) + " mm, "
                         + mm(sample.coreInTargetMm().getAsDouble()) + " mm lay in the target.";
     }
 

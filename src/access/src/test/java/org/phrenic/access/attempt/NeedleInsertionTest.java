@@ -167,6 +167,8 @@ class NeedleInsertionTest {
         assertThat(record.count(AttemptEvent.Kind.CORE_ENTERS))
                 .as("nothing is behind the bone")
                 .isZero();
+        assertThat(sample.coreMm()).isCloseTo(6, within(TOLERANCE_MM));
+        assertThat(sample.toMap()).containsEntry("core_mm", sample.coreMm());
         assertThat(sample.axialMm()).as("from the middle of a core of 6 mm").isCloseTo(90 - 7, within(TOLERANCE_MM));
         assertThat(session.shaft().depth()).as("the tip").isEqualTo(4);
     }

@@ -39,7 +39,7 @@ class RehearsalReportTest {
     /** The tip 3 mm beyond the middle of the target and 4 mm beside it. */
     @Test
     void theHeadlineTellsWhatIsAlongTheNeedleFromWhatIsAside() {
-        TargetingError sample = new TargetingError(-3, 4, true, OptionalDouble.empty());
+        TargetingError sample = new TargetingError(-3, 4, true, 0, OptionalDouble.empty());
         assertThat(RehearsalReport.place(sample)).isEqualTo("-3.0 mm along the needle, 4.0 mm aside");
     }
 

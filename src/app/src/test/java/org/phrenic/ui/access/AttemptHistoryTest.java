@@ -63,8 +63,8 @@ class AttemptHistoryTest {
     /** A row's hit, distance and errors are of one sample, the last; a learning curve counts the hits of those. */
     @Test
     void theRowOfAnAttemptIsThatOfItsLastSample() throws IOException {
-        TargetingError hit = new TargetingError(3, 4, true, OptionalDouble.empty());
-        TargetingError miss = new TargetingError(-12, 5, false, OptionalDouble.empty());
+        TargetingError hit = new TargetingError(3, 4, true, 0, OptionalDouble.empty());
+        TargetingError miss = new TargetingError(-12, 5, false, 0, OptionalDouble.empty());
         AttemptHistory kept = new AttemptHistory(folder.resolve("kept.csv"), "2026-11-25T10:00");
         RehearsalPlan plan = RehearsalPlan.practice(
                 Scenario.defaults(), SampledAttempts.TARGET, Needle.standard(), BreathCycle.PHASES);
@@ -88,8 +88,8 @@ class AttemptHistoryTest {
     void attemptsThatCannotBeWrittenAreWrittenLaterInTheirOrder() throws IOException {
         AttemptHistory kept = new AttemptHistory(folder.resolve("kept.csv"), "2026-11-25T10:00");
         Path inTheWay = Files.createDirectory(kept.file());
-        TargetingError first = new TargetingError(3, 4, true, OptionalDouble.empty());
-        TargetingError second = new TargetingError(-12, 5, false, OptionalDouble.empty());
+        TargetingError first = new TargetingError(3, 4, true, 0, OptionalDouble.empty());
+        TargetingError second = new TargetingError(-12, 5, false, 0, OptionalDouble.empty());
         assertThatExceptionOfType(OutputException.class)
                 .isThrownBy(() -> kept.add(SampledAttempts.rehearsal(first)))
                 .withMessageStartingWith(kept.file().toString());
@@ -113,7 +113,7 @@ class AttemptHistoryTest {
         Path inTheWay = Files.createDirectory(kept.file());
         assertThatExceptionOfType(OutputException.class)
                 .isThrownBy(() ->
-                        kept.add(SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty()))));
+                        kept.add(SampledAttempts.rehearsal(new TargetingError(3, 4, true, 0, OptionalDouble.empty()))));
         kept.writeWaiting(reason -> false);
         assertThat(kept.waiting()).isEqualTo(1);
         List<String> asked = new ArrayList<>();
@@ -155,11 +155,11 @@ class AttemptHistoryTest {
     void aColumnOfNotesAtTheRightIsKept() throws IOException {
         Path file = folder.resolve("notes.csv");
         AttemptHistory kept = new AttemptHistory(file, "2026-11-25T10:00");
-        Rehearsal first = SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty()));
+        Rehearsal first = SampledAttempts.rehearsal(new TargetingError(3, 4, true, 0, OptionalDouble.empty()));
         kept.add(first);
         List<String> rows = Files.readAllLines(file);
         Files.writeString(file, rows.get(0) + ",notes\n" + rows.get(1) + ",\"steep, slow\"\n");
-        kept.add(SampledAttempts.rehearsal(new TargetingError(6, 8, false, OptionalDouble.empty())));
+        kept.add(SampledAttempts.rehearsal(new TargetingError(6, 8, false, 0, OptionalDouble.empty())));
         assertThat(Files.readAllLines(file))
                 .hasSize(3)
                 .startsWith(COLUMNS + ",notes", rows.get(1) + ",\"steep, slow\"");
@@ -183,12 +183,12 @@ class AttemptHistoryTest {
     void whatStandsBehindTheColumnsMayBeAnyText(String behind) throws IOException {
         Path file = folder.resolve("notes.csv");
         AttemptHistory kept = new AttemptHistory(file, "2026-11-25T10:00");
-        Rehearsal first = SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty()));
+        Rehearsal first = SampledAttempts.rehearsal(new TargetingError(3, 4, true, 0, OptionalDouble.empty()));
         kept.add(first);
         String edited =
                 COLUMNS + "," + behind.formatted(Files.readAllLines(file).get(1)) + "\n";
         Files.writeString(file, edited);
-        kept.add(SampledAttempts.rehearsal(new TargetingError(6, 8, false, OptionalDouble.empty())));
+        kept.add(SampledAttempts.rehearsal(new TargetingError(6, 8, false, 0, OptionalDouble.empty())));
         assertThat(file).content().startsWith(edited);
         assertThat(kept.learningCurve(first.plan().title()))
                 .startsWith("This exercise: 2 samples in 1 session, 1 hit, 7.5");
@@ -208,7 +208,7 @@ class AttemptHistoryTest {
     void aFileOfOtherColumnsIsLeftAsItIsAndTheAttemptWaits(String header, String found) throws IOException {
         Path file = Files.writeString(folder.resolve("attempts.csv"), header + "\n" + ROW + "true,2\n");
         AttemptHistory edited = new AttemptHistory(file, "2026-11-25T10:00");
-        TargetingError sample = new TargetingError(3, 4, true, OptionalDouble.empty());
+        TargetingError sample = new TargetingError(3, 4, true, 0, OptionalDouble.empty());
         for (Runnable use : List.<Runnable>of(
                 () -> edited.add(SampledAttempts.rehearsal(sample)), () -> edited.learningCurve("Dome"))) {
             assertThatExceptionOfType(BadInputException.class)

@@ -70,8 +70,7 @@ public final class ReportCard extends JPanel {
                 ? ""
                 : Numbers.format(
                         " Of the core of %s mm, %.1f mm lay in it.",
-                        number(record.needle().coreMm()),
-                        sample.coreInTargetMm().getAsDouble());
+                        number(sample.coreMm()), sample.coreInTargetMm().getAsDouble());
         String what = core.isEmpty() ? "the tip" : "the middle of the core";
         return Controls.capitalise(record.whichSample() + what) + place(sample) + core;
     }

@@ -22,7 +22,7 @@ import org.phrenic.ui.window.WindowHarness;
 
 /** A session of more attempts than whole bodies fit into memory. */
 class AttemptsDockTest {
-    private static final TargetingError SHORT = new TargetingError(12, 5, false, OptionalDouble.empty());
+    private static final TargetingError SHORT = new TargetingError(12, 5, false, 0, OptionalDouble.empty());
 
     private final List<String> messages = new ArrayList<>();
     private int folderQuestions;

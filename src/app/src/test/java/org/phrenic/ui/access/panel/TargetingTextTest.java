@@ -13,8 +13,8 @@ import org.phrenic.ui.session.EventThread;
 
 /** An axial error is positive where the middle of the target lies deeper than the tip. */
 class TargetingTextTest {
-    private static final TargetingError SHORT = new TargetingError(12, 5, false, OptionalDouble.empty());
-    private static final TargetingError DEEP = new TargetingError(-12, 5, false, OptionalDouble.empty());
+    private static final TargetingError SHORT = new TargetingError(12, 5, false, 0, OptionalDouble.empty());
+    private static final TargetingError DEEP = new TargetingError(-12, 5, false, 0, OptionalDouble.empty());
 
     @Test
     void theNeedlePanelSaysHowFarThereIsToGo() {
@@ -26,7 +26,7 @@ class TargetingTextTest {
     /** The tip of a needle that throws 20 mm is in the middle of the target. */
     @Test
     void theNeedlePanelSaysThatItMeasuresACoreFromItsMiddle() {
-        TargetingError core = new TargetingError(-10, 0, true, OptionalDouble.of(5));
+        TargetingError core = new TargetingError(-10, 0, true, 20, OptionalDouble.of(5));
         assertThat(NeedlePanel.text(core)).isEqualTo("Middle of the core to target 10.0 mm, 5.0 mm of the core in it");
         assertThat(NeedlePanel.parts(core)).isEqualTo("10.0 mm too deep, 0.0 mm aside");
     }
@@ -39,7 +39,7 @@ class TargetingTextTest {
 
     @Test
     void theCardTellsOfTheSampleThatHit() {
-        TargetingError hit = new TargetingError(3, 4, true, OptionalDouble.empty());
+        TargetingError hit = new TargetingError(3, 4, true, 0, OptionalDouble.empty());
         assertThat(ReportCard.sampleText(SampledAttempts.record(hit, SHORT)))
                 .startsWith("In the nearest that hit, the tip was 5.0 mm from");
         assertThat(ReportCard.sampleText(SampledAttempts.record(DEEP, SHORT)))
@@ -48,16 +48,14 @@ class TargetingTextTest {
         assertThat(ReportCard.sampleText(SampledAttempts.record())).contains("without a sample");
     }
 
-    /**
-     * A needle may cut a core of any length within its range, and no more of it than there is can lie in the target.
-     */
+    /** Bone has ended the core of a needle that cuts 22 mm. */
     @Test
     void theCardStatesTheCoreAsLongAsItIs() {
-        TargetingError hit = new TargetingError(3, 4, true, OptionalDouble.of(10.4));
-        assertThat(ReportCard.sampleText(SampledAttempts.record(new Needle(18, 150, 10.4), hit)))
-                .endsWith(" Of the core of 10.4 mm, 10.4 mm lay in it.");
-        assertThat(ReportCard.sampleText(SampledAttempts.record(new Needle(18, 150, 22), hit)))
-                .endsWith(" Of the core of 22 mm, 10.4 mm lay in it.");
+        for (double mm : new double[] {10.4, 22}) {
+            TargetingError hit = new TargetingError(3, 4, true, mm, OptionalDouble.of(10.4));
+            assertThat(ReportCard.sampleText(SampledAttempts.record(new Needle(18, 150, 22), hit)))
+                    .endsWith(" Of the core of " + (mm == 22 ? "22" : "10.4") + " mm, 10.4 mm lay in it.");
+        }
     }
 
     @Test
