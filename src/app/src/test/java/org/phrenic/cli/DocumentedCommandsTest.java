@@ -78,7 +78,8 @@ class DocumentedCommandsTest {
         lines.addAll(kind.of(Files.readString(Path.of("README.md"))));
         return lines.stream()
                 .map(line -> line.replace("java -jar target/phrenic.jar", "phrenic"))
-                .filter(line -> line.startsWith("phrenic "))
+                // A digit follows where a page states the version of a build.
+                .filter(line -> line.matches("phrenic \\D.*"))
                 .distinct();
     }
 
