@@ -1,10 +1,8 @@
 package org.phrenic.patient.registration;
 
 import java.util.stream.IntStream;
-import org.ejml.EjmlParameters;
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.decomposition.chol.CholeskyDecompositionBlock_DDRM;
-import org.ejml.dense.row.linsol.chol.LinearSolverChol_DDRM;
+import org.ejml.dense.row.linsol.chol.LinearSolverChol_DDRB;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
@@ -91,8 +89,7 @@ final class SmoothField implements PointTransform {
                 right.unsafe_set(i, c, displacements[3 * i + first + c]);
             }
         }
-        LinearSolverDense<DMatrixRMaj> solver =
-                new LinearSolverChol_DDRM(new CholeskyDecompositionBlock_DDRM(EjmlParameters.BLOCK_WIDTH_CHOL));
+        LinearSolverDense<DMatrixRMaj> solver = new LinearSolverChol_DDRB();
         if (!solver.setA(k)) {
             throw new IllegalStateException("correspondences of " + n + " points: no smooth field through them");
         }
