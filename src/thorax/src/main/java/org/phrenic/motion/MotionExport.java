@@ -15,6 +15,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.ExistingPath;
+import org.phrenic.file.JavaMemory;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.file.ScalarType;
@@ -127,8 +128,7 @@ public final class MotionExport {
         long forImage = ofImage * BYTES_AN_IMAGE_VOXEL;
         if (forGrid + forImage > SHARE_OF_MEMORY * memory) {
             throw new BadInputException((forGrid >= forImage ? "--grid: found " + voxels : "--warp: found " + ofImage)
-                    + " voxels, expected no more than fit into Java's memory of " + (memory >> 20)
-                    + " MB (java -Xmx8g gives it 8 GB)");
+                    + " voxels, expected no more than fit into Java's memory of " + JavaMemory.inWords(memory));
         }
     }
 

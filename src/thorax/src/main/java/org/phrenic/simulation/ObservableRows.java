@@ -1,6 +1,7 @@
 package org.phrenic.simulation;
 
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.JavaMemory;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
@@ -27,7 +28,7 @@ final class ObservableRows {
             throw new BadInputException(
                     RunSettings.RECORD_EVERY.key() + ": found " + scenario.text(RunSettings.RECORD_EVERY) + " s, with "
                             + rows + " rows of observables, expected no more than fit into Java's memory of "
-                            + (memory >> 20) + " MB (java -Xmx8g gives it 8 GB)");
+                            + JavaMemory.inWords(memory));
         }
     }
 

@@ -2,6 +2,7 @@ package org.phrenic.access.plan;
 
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.access.Needle;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
@@ -62,9 +63,12 @@ public record NeedleState(
         return entry.isPresent();
     }
 
-    /** Depth at which the needle passes nearest to the target where that is at the moment, mm; at least 1. */
+    /**
+     * Depth at which the needle passes nearest to the target where that is at the moment, mm; at least
+     * {@link Needle#LEAST_AIM_MM}.
+     */
     public double targetDepthMm() {
         double[] toTarget = Vectors.subtract(target, entry.orElse(target));
-        return Math.max(1, Vectors.dot(toTarget, angles.direction()));
+        return Math.max(Needle.LEAST_AIM_MM, Vectors.dot(toTarget, angles.direction()));
     }
 }

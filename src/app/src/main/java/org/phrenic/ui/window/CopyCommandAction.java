@@ -2,7 +2,6 @@ package org.phrenic.ui.window;
 
 import java.awt.Toolkit;
 import java.awt.datatransfer.Clipboard;
-import java.awt.datatransfer.StringSelection;
 import java.awt.event.ActionEvent;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -10,6 +9,7 @@ import javax.swing.AbstractAction;
 import org.phrenic.simulation.live.ReachedState;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.ClipboardText;
 
 /**
  * Copies the command line that repeats the run so far, without a window, to the clipboard. The simulation answers
@@ -40,11 +40,8 @@ public final class CopyCommandAction extends AbstractAction {
     /** Copies the line, then passes it to {@code done} on the event dispatch thread. */
     void copy(Consumer<ReachedState> done) {
         Consumer<ReachedState> copy = state -> {
-            try {
-                clipboard.get().setContents(new StringSelection(state.command()), null);
+            if (ClipboardText.copy(state.command(), clipboard.get(), session::refuse)) {
                 done.accept(state);
-            } catch (IllegalStateException busy) {
-                session.refuse("The clipboard took no text: " + busy.getMessage());
             }
         };
         BackgroundWorker.execute(session.live()::reproduction, copy, session::refuse);

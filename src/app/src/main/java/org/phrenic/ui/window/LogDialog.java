@@ -4,7 +4,6 @@ import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.datatransfer.Clipboard;
-import java.awt.datatransfer.StringSelection;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
@@ -27,6 +26,7 @@ import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.UserCache;
+import org.phrenic.ui.widget.ClipboardText;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 
@@ -102,11 +102,7 @@ final class LogDialog extends Handler {
 
     /** Copies a text; a clipboard that another program holds is told in the log. */
     static void copy(String text, Clipboard clipboard) {
-        try {
-            clipboard.setContents(new StringSelection(text), null);
-        } catch (IllegalStateException busy) {
-            LOG.log(System.Logger.Level.WARNING, "The clipboard took no text: {0}", busy.getMessage());
-        }
+        ClipboardText.copy(text, clipboard, refusal -> LOG.log(System.Logger.Level.WARNING, refusal));
     }
 
     @Override

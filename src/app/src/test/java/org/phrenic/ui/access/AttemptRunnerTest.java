@@ -12,9 +12,9 @@ import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.FileWrites;
+import org.phrenic.ui.session.MessageListener;
 import org.phrenic.ui.session.QuitAfterWrites;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.view.SceneViewport;
 
@@ -34,12 +34,7 @@ class AttemptRunnerTest {
         EventThread.run(() -> {
             AppearanceModel appearance = new AppearanceModel();
             session = new Session(Scenario.defaults().with("resolution=low"));
-            session.addListener(new Session.Listener() {
-                @Override
-                public void onMessage(SessionMessage message) {
-                    refused.add(message.text());
-                }
-            });
+            session.addListener(new MessageListener(refused::add));
             view = new SceneViewport(session, appearance);
             rehearsal = new RehearsalController(session, appearance, view);
             rehearsal.addListener(new RehearsalController.Listener() {

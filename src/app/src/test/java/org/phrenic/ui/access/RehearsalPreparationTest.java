@@ -23,8 +23,7 @@ import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.ui.session.Session;
-import org.phrenic.ui.session.SessionMessage;
+import org.phrenic.ui.session.MessageListener;
 
 /** What is shown of a former target while the next one is prepared. */
 class RehearsalPreparationTest {
@@ -76,12 +75,7 @@ class RehearsalPreparationTest {
         RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
         IdleRehearsal.with((session, appearance, view, rehearsal) -> {
             List<String> said = new ArrayList<>();
-            session.addListener(new Session.Listener() {
-                @Override
-                public void onMessage(SessionMessage message) {
-                    said.add(message.text());
-                }
-            });
+            session.addListener(new MessageListener(said::add));
             rehearsal.exercise = Optional.of(exercise);
             rehearsal.preparation.followBreathing(exercise.scenario().with("depth=1.5"));
             assertThat(rehearsal.exercise()).isEmpty();
@@ -102,12 +96,7 @@ class RehearsalPreparationTest {
         RehearsalPlan exercise = RehearsalPlan.exercises().get(0);
         List<String> said = new ArrayList<>();
         IdleRehearsal.with((session, appearance, view, rehearsal) -> {
-            session.addListener(new Session.Listener() {
-                @Override
-                public void onMessage(SessionMessage message) {
-                    said.add(message.text());
-                }
-            });
+            session.addListener(new MessageListener(said::add));
             rehearsal.open(exercise.with(LOW));
             assertThat(said).isEmpty();
             session.change("Resolution", Assignment.parse("resolution=high"));

@@ -72,9 +72,9 @@ import org.phrenic.ui.chart.PlotDock;
 import org.phrenic.ui.chart.TimelineDock;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.MessageListener;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.widget.SliderScale;
 import org.phrenic.ui.widget.Theme;
@@ -387,12 +387,7 @@ class DocksTest {
     void aFileThatIsNoTraceIsRefusedInOneSentence(@TempDir Path folder) throws Exception {
         Path bad = Files.writeString(folder.resolve("bad.csv"), "hello,world\n1,2\n");
         AtomicReference<String> said = new AtomicReference<>();
-        Session.Listener ear = new Session.Listener() {
-            @Override
-            public void onMessage(SessionMessage message) {
-                said.set(message.text());
-            }
-        };
+        Session.Listener ear = new MessageListener(said::set);
         EventThread.run(() -> {
             session.addListener(ear);
             new BreathDock(session).openTrace(bad);
@@ -705,12 +700,7 @@ class DocksTest {
     void aBodyWhoseFolderIsGoneIsRefused(@TempDir Path folder) {
         String gone = folder.resolve("gone").toString();
         List<String> said = new ArrayList<>();
-        Session.Listener ear = new Session.Listener() {
-            @Override
-            public void onMessage(SessionMessage message) {
-                said.add(message.text());
-            }
-        };
+        Session.Listener ear = new MessageListener(said::add);
         ParameterDock dock = on(() -> new ParameterDock(session));
         ChoiceRow body = (ChoiceRow)
                 dock.rows().stream().filter(r -> r.isFor("anatomy")).findFirst().orElseThrow();
@@ -772,12 +762,7 @@ class DocksTest {
                 .withMessageContaining("flat.csv: the signal stays at 1.0");
         List<String> said = new ArrayList<>();
         BreathDock dock = on(() -> new BreathDock(session));
-        Session.Listener ear = new Session.Listener() {
-            @Override
-            public void onMessage(SessionMessage message) {
-                said.add(message.text());
-            }
-        };
+        Session.Listener ear = new MessageListener(said::add);
         EventThread.run(() -> {
             session.addListener(ear);
             dock.openTrace(flat);
@@ -830,12 +815,7 @@ class DocksTest {
     void aSurfaceThatCannotBeReadIsRefusedInOneSentenceAndNothingIsColoured(@TempDir Path folder) throws Exception {
         Path broken = Files.writeString(folder.resolve("scan.stl"), "solid nothing");
         List<String> told = new ArrayList<>();
-        Session.Listener listener = new Session.Listener() {
-            @Override
-            public void onMessage(SessionMessage message) {
-                told.add(message.text());
-            }
-        };
+        Session.Listener listener = new MessageListener(told::add);
         AppearanceModel looks = on(AppearanceModel::new);
         DisplayDock dock = on(() -> showDock(looks, broken));
         EventThread.run(() -> session.addListener(listener));
@@ -854,12 +834,7 @@ class DocksTest {
         Path scan = folder.resolve("scan.stl");
         MeshFiles.write(scan, new TriangleMesh(new double[] {0, 0, 0, 9, 0, 0, 0, 9, 0}, new int[] {0, 1, 2}));
         List<String> told = new ArrayList<>();
-        Session.Listener listener = new Session.Listener() {
-            @Override
-            public void onMessage(SessionMessage message) {
-                told.add(message.text());
-            }
-        };
+        Session.Listener listener = new MessageListener(told::add);
         AppearanceModel looks = on(AppearanceModel::new);
         List<Path> files = new ArrayList<>(List.of(scan, broken, scan, broken));
         DisplayDock dock = on(() -> new DisplayDock(session, looks, () -> Optional.of(files.remove(0))));

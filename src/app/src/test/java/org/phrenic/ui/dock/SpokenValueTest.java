@@ -13,9 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.model.material.SheetSprings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.MessageListener;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.window.WindowHarness;
 
@@ -60,12 +60,7 @@ class SpokenValueTest {
         List<String> refused = new ArrayList<>();
         EventThread.run(() -> {
             try (Session session = new Session(SMALL)) {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        refused.add(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(refused::add));
                 DisplayDock dock = new DisplayDock(session, new AppearanceModel());
                 JTextField least = find(dock, JTextField.class, "Least value of the colours");
                 least.setText("30");

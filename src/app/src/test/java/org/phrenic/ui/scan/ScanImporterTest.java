@@ -29,8 +29,8 @@ import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.MessageListener;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.window.WindowHarness;
 
 /** Which body an import opens. */
@@ -176,12 +176,7 @@ class ScanImporterTest {
         try (Session session = EventThread.get(() -> new Session(SMALL))) {
             List<String> told = new ArrayList<>();
             EventThread.run(() -> {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        told.add(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(told::add));
                 ScanImporter importer = new ScanImporter(null, session, new Shown(), opened::add, read -> {});
                 importer.begin(scan);
                 ScanImportDialog answered = new ScanImportDialog(scan, labels);

@@ -43,12 +43,7 @@ class SessionTest {
         try (Session session = running()) {
             AtomicReference<String> refused = new AtomicReference<>("");
             EventThread.run(() -> {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        refused.set(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(refused::set));
                 session.open(EditName.of("Open nothing"), SMALL.with("anatomy=" + folder));
                 assertThat(session.edits().undoPresentationName()).hasValue("Undo Open nothing");
             });
@@ -83,12 +78,7 @@ class SessionTest {
         try (Session session = EventThread.get(() -> new Session(SMALL.with("anatomy=" + folder)))) {
             EventThread.until("the end of loading", () -> !session.live().isLoading());
             // What the loading has sent comes before this.
-            EventThread.run(() -> session.addListener(new Session.Listener() {
-                @Override
-                public void onMessage(SessionMessage message) {
-                    refused.set(message.text());
-                }
-            }));
+            EventThread.run(() -> session.addListener(new MessageListener(refused::set)));
             EventThread.until("a refusal", () -> refused.get().contains(folder.toString()));
         }
     }
@@ -117,12 +107,7 @@ class SessionTest {
         try (Session session = running()) {
             List<String> said = new ArrayList<>();
             EventThread.run(() -> {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        said.add(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(said::add));
                 change(session, "node_mass_kg", "0.1");
                 assertThat(session.edits().undoPresentationName()).isEmpty();
             });
@@ -135,12 +120,7 @@ class SessionTest {
         try (Session session = running()) {
             List<String> said = new ArrayList<>();
             EventThread.run(() -> {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        said.add(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(said::add));
                 change(session, "preset", "sniff");
                 change(session, "inspiratory_fraction", "0.45");
                 assertThat(session.edits().undoPresentationName()).hasValue("Undo preset");

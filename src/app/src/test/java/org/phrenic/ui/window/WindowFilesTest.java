@@ -16,8 +16,8 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.MessageListener;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.session.WindowPreferences;
 
 /** Files that are opened by menu or drop. */
@@ -73,12 +73,7 @@ class WindowFilesTest {
                 EventThread.get(() -> new Session(Scenario.defaults().with("resolution=low", "threads=1")))) {
             EventThread.until("a scene", () -> session.scene().isPresent());
             WindowFiles files = EventThread.get(() -> {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        refused.add(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(refused::add));
                 return new WindowFiles(null, session, null, preferences, plan -> {}, null);
             });
             for (Path file : List.of(picture, broken, empty)) {
@@ -130,12 +125,7 @@ class WindowFilesTest {
             EventThread.until("a scene", () -> session.scene().isPresent());
             List<String> said = new ArrayList<>();
             WindowFiles files = EventThread.get(() -> {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        said.add(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(said::add));
                 return new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
             });
             assertThat(proposed(files, true)).isEqualTo("Liver.yaml");
@@ -174,12 +164,7 @@ class WindowFilesTest {
             EventThread.until("a scene", () -> session.scene().isPresent());
             List<String> said = new ArrayList<>();
             EventThread.run(() -> {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        said.add(message.text());
-                    }
-                });
+                session.addListener(new MessageListener(said::add));
                 WindowFiles files = new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
                 SwingUtilities.invokeLater(() -> files.saveScenario((scenario, name) -> {}));
             });

@@ -16,8 +16,7 @@ import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.IdleRehearsal;
 import org.phrenic.ui.access.SampledAttempts;
 import org.phrenic.ui.session.EventThread;
-import org.phrenic.ui.session.Session;
-import org.phrenic.ui.session.SessionMessage;
+import org.phrenic.ui.session.MessageListener;
 import org.phrenic.ui.window.WindowHarness;
 
 /** A session of more attempts than whole bodies fit into memory. */
@@ -30,12 +29,7 @@ class AttemptsDockTest {
     @Test
     void framesOfTheLastAttemptsAreKeptAndTableAndCardOfAll() {
         IdleRehearsal.with((session, appearance, view, rehearsal) -> {
-            session.addListener(new Session.Listener() {
-                @Override
-                public void onMessage(SessionMessage message) {
-                    messages.add(message.text());
-                }
-            });
+            session.addListener(new MessageListener(messages::add));
             AttemptsDock dock = new AttemptsDock(session, rehearsal, new AttemptReportWriter(view), () -> {
                 folderQuestions++;
                 return Optional.empty();

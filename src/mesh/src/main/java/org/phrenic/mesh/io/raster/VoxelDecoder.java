@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.JavaMemory;
 import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -90,8 +91,7 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
         long memory = Runtime.getRuntime().maxMemory();
         if (voxels() * bytesEach > MAX_MEMORY * memory) {
             throw new BadInputException(file + ": found a size of " + shown(sizes) + " voxels, expected no more than"
-                    + " fit into half of Java's memory, which is " + (memory >> 20)
-                    + " MB (java -Xmx8g gives it 8 GB)");
+                    + " fit into half of Java's memory, which is " + JavaMemory.inWords(memory));
         }
     }
 

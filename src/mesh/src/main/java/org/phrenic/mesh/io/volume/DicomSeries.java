@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
+import org.phrenic.file.JavaMemory;
 import org.phrenic.mesh.io.dicom.DicomDataSet;
 import org.phrenic.mesh.io.dicom.DicomFile;
 import org.phrenic.mesh.io.dicom.DicomPixels;
@@ -224,7 +225,7 @@ final class DicomSeries {
         long memory = Runtime.getRuntime().maxMemory();
         if (voxels >= Integer.MAX_VALUE - 8 || voxels * Float.BYTES > MAX_MEMORY * memory) {
             throw new BadInputException(file + ": found " + voxels + " voxels, expected no more than fit into half of"
-                    + " Java's memory, which is " + (memory >> 20) + " MB (java -Xmx8g gives it 8 GB)");
+                    + " Java's memory, which is " + JavaMemory.inWords(memory));
         }
         return new float[(int) voxels];
     }
