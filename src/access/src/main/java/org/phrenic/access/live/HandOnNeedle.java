@@ -8,7 +8,6 @@ import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.path.SkinEntries;
 import org.phrenic.access.plan.PlanStep;
 import org.phrenic.file.BadInputException;
-import org.phrenic.mesh.Vectors;
 
 /** The hand that holds the needle of a live run: where the needle goes in, its angles, and how deep it is aimed. */
 final class HandOnNeedle {
@@ -21,8 +20,6 @@ final class HandOnNeedle {
 
     /** Whether the program has pointed a needle that is not placed since the entry was chosen. */
     private boolean aimedByProgram;
-
-    private double aimedMm;
 
     HandOnNeedle(MovingAnatomy anatomy, ManualStepRecorder steps) {
         this.anatomy = anatomy;
@@ -57,11 +54,8 @@ final class HandOnNeedle {
         double[] at = entryRest.orElseThrow();
         if (angles.isPresent()) {
             needle.placeAtRest(at, angles.get());
-            aimedMm = needle.targetDepthMm();
         } else {
-            double[] aim = needle.targetNow();
-            needle.placeAtRest(at, aim);
-            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
+            needle.placeAtRest(at, needle.targetNow());
         }
         PlanStep.Aim aim =
                 angles.map(held -> PlanStep.Aim.at(held, aimedByProgram)).orElse(PlanStep.Aim.TARGET);
@@ -86,7 +80,6 @@ final class HandOnNeedle {
         }
         needle.turn(to);
         steps.add(timeS, new PlanStep.Redirect("by hand, redirect", PlanStep.Aim.at(to)));
-        aimedMm = needle.targetDepthMm();
     }
 
     /** Turns the needle from the angles that it has, degrees. */
@@ -101,19 +94,12 @@ final class HandOnNeedle {
             aimedByProgram = true;
             return;
         }
-        double[] aim = needle.targetNow();
-        needle.redirect(aim);
+        needle.redirect(needle.targetNow());
         steps.add(timeS, new PlanStep.Redirect("by hand, redirect", PlanStep.Aim.TARGET));
-        aimedMm = Vectors.distance(needle.shaft().entry(), aim);
     }
 
     /** Where a needle that is not placed will be placed, and how. */
     NeedleObserver.Planned planned() {
         return new NeedleObserver.Planned(entry, angles);
-    }
-
-    /** Depth to which a placed needle is aimed, mm. */
-    double aimedMm() {
-        return aimedMm;
     }
 }

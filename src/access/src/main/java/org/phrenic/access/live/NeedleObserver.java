@@ -38,14 +38,9 @@ final class NeedleObserver {
         analyzer = new PathAnalyzer(anatomy, plan.needle());
     }
 
-    /** @param aimedMm depth to which a placed needle is aimed, mm */
+    /** The state at a frame; a needle that points away from the target is judged over its length. */
     NeedleState describe(
-            NeedleInsertion needle,
-            HeldProbe probe,
-            Planned planned,
-            double aimedMm,
-            Frame frame,
-            RespiratoryPhase phase) {
+            NeedleInsertion needle, HeldProbe probe, Planned planned, Frame frame, RespiratoryPhase phase) {
         NeedleShaft shaft = needle.shaft();
         double[] centre = needle.targetNow();
         boolean placed = shaft.isPlaced();
@@ -56,15 +51,16 @@ final class NeedleObserver {
                 ? shaft.direction()
                 : planned.angles().map(NeedleAngles::direction).orElseGet(() -> toward(start, centre));
         double along = Vectors.dot(Vectors.subtract(centre, start), direction);
-        double ahead = placed ? Math.max(aimedMm, shaft.depth()) : along;
-        double aimed = ahead > Needle.LEAST_AIM_MM ? ahead : plan.needle().lengthMm();
+        double depth = placed ? shaft.depth() : 0;
+        double lengthMm = plan.needle().lengthMm();
+        double ahead = placed ? Math.max(Math.min(along, lengthMm), depth) : along;
+        double aimed = along > Needle.LEAST_AIM_MM ? ahead : lengthMm;
         double[] end = Vectors.addScaled(start, direction, aimed);
         Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
         boolean reaches =
                 path.isPresent() && !plan.needle().isShorterThan(path.get().lengthMm());
         PathAnalyzer.Margin margin =
                 reaches ? analyzer.margin(start, end, plan.avoided()) : new PathAnalyzer.Margin(0, "");
-        double depth = placed ? shaft.depth() : 0;
         return new NeedleState(
                 frame.timeS(),
                 phase,
@@ -72,7 +68,7 @@ final class NeedleObserver {
                 needle.target().radiusMm(),
                 from,
                 placed,
-                Vectors.addScaled(start, direction, depth - plan.needle().lengthMm()),
+                Vectors.addScaled(start, direction, depth - lengthMm),
                 Vectors.addScaled(start, direction, depth),
                 depth,
                 aimed,

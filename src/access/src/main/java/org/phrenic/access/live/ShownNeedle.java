@@ -44,7 +44,7 @@ final class ShownNeedle {
 
     /** Describes a needle of a paused run; another description is due as it would be without this one. */
     void describeAtPause(NeedleInsertion needle, Frame frame, RespiratoryPhase phase) {
-        state = observer.describe(needle, probe, grip.planned(), grip.aimedMm(), frame, phase);
+        state = observer.describe(needle, probe, grip.planned(), frame, phase);
         moves.show();
     }
 

@@ -18,12 +18,10 @@ import org.phrenic.mesh.Vectors;
  * @param hub hub of the needle; before placement, of the planned needle
  * @param tip tip of the needle; before placement, of the planned needle
  * @param depthMm depth of the tip below the skin, mm
- * @param aimedDepthMm length of the path that is judged, mm: the depth to which a placed needle is aimed, or that of
- *     its tip if it is deeper; before placement, the depth of the target; the length of a needle that points away from
- *     it
+ * @param aimedDepthMm length of the path that is judged, mm: the depth at which the needle passes nearest to the
+ *     target, or that of its tip if it is deeper; the length of a needle that points away from the target
  * @param targetingError targeting error; empty before placement
- * @param reasons reasons why the path from the skin to the target, or to the aimed depth of a placed needle, is not
- *     free, as text; empty if it is free
+ * @param reasons reasons why the path that is judged is not free, as text; empty if it is free
  * @param marginMm margin of the path to the avoided zones, mm; 0 if it is not free
  * @param nearest label of the structure that limits the margin; empty if there is none
  * @param warnings warnings about the needle in the body, as text

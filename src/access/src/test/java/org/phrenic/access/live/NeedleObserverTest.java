@@ -45,11 +45,11 @@ class NeedleObserverTest {
                         .avoided());
     }
 
-    private NeedleState state(NeedleInsertion needle, double aimedMm) {
-        return state(needle, aimedMm, Optional.empty());
+    private NeedleState state(NeedleInsertion needle) {
+        return state(needle, Optional.empty());
     }
 
-    private NeedleState state(NeedleInsertion needle, double aimedMm, Optional<NeedleAngles> angles) {
+    private NeedleState state(NeedleInsertion needle, Optional<NeedleAngles> angles) {
         RehearsalPlan plan =
                 RehearsalPlan.practice(Scenario.defaults(), needle.target(), needle.needle(), BreathCycle.PHASES);
         Optional<SkinPoint> entry = Optional.of(SkinPoint.atRest(scene.skin(), ENTRY));
@@ -58,7 +58,6 @@ class NeedleObserverTest {
                         needle,
                         new HeldProbe(scene),
                         new NeedleObserver.Planned(entry, angles),
-                        aimedMm,
                         body.still(0),
                         RespiratoryPhase.PAUSE);
     }
@@ -66,7 +65,7 @@ class NeedleObserverTest {
     @ParameterizedTest
     @CsvSource({"91, true", "90, true", "89, false"})
     void aWayToTheTargetThatIsLongerThanTheNeedleIsNotFree(double lengthMm, boolean free) {
-        NeedleState state = state(needle(lengthMm), 0);
+        NeedleState state = state(needle(lengthMm));
         assertThat(state.reasons().isEmpty()).isEqualTo(free);
         assertThat(state.marginMm() > 0).as("a margin").isEqualTo(free);
         if (!free) {
@@ -82,7 +81,7 @@ class NeedleObserverTest {
         needle.place(ENTRY, TARGET);
         needle.advance(110, 1000);
         needle.update(body.still(1), RespiratoryPhase.PAUSE);
-        NeedleState deep = state(needle, 90);
+        NeedleState deep = state(needle);
         assertThat(deep.depthMm()).isEqualTo(110);
         assertThat(deep.aimedDepthMm()).as("the path that is judged").isEqualTo(110);
         assertThat(deep.targetDepthMm()).isCloseTo(90, within(1e-9));
@@ -90,7 +89,7 @@ class NeedleObserverTest {
         needle.advance(10, 1000);
         needle.update(body.still(2), RespiratoryPhase.PAUSE);
         needle.update(body.frame(3, 0, new double[] {7, 0, 0}, 0, 0), RespiratoryPhase.PAUSE);
-        assertThat(state(needle, 90).targetDepthMm()).isCloseTo(97, within(1e-6));
+        assertThat(state(needle).targetDepthMm()).isCloseTo(97, within(1e-6));
     }
 
     /** Places along a slanting needle are known but for rounding; that makes no needle too short for its own length. */
@@ -100,7 +99,7 @@ class NeedleObserverTest {
             NeedleInsertion needle = needle(60);
             double[] to = {50, angle, -20 - 0.3 * angle};
             needle.place(ENTRY, to);
-            assertThat(state(needle, 60).reasons()).isEmpty();
+            assertThat(state(needle).reasons()).isEmpty();
         }
     }
 
@@ -109,11 +108,31 @@ class NeedleObserverTest {
     void aNeedleThatPointsAwayFromTheTargetIsJudgedOverItsLength() {
         NeedleInsertion needle = needle(150, new double[] {90, 0, -100});
         double[] away = {0.66, 0, 0.75};
-        NeedleState planned = state(needle, 0, Optional.of(NeedleAngles.of(away)));
+        NeedleState planned = state(needle, Optional.of(NeedleAngles.of(away)));
         assertThat(planned.aimedDepthMm()).isEqualTo(150);
         assertThat(planned.reasons()).contains("crosses lung");
         needle.update(body.still(0), RespiratoryPhase.PAUSE);
         needle.place(ENTRY, new double[] {66, 0, 55});
-        assertThat(state(needle, needle.targetDepthMm()).reasons()).contains("crosses lung");
+        for (double depthMm : new double[] {0, 2, 15}) {
+            if (depthMm > 0) {
+                needle.advance(depthMm, 1000);
+                needle.update(body.still(depthMm), RespiratoryPhase.PAUSE);
+            }
+            NeedleState placed = state(needle);
+            assertThat(placed.depthMm()).isEqualTo(depthMm);
+            assertThat(placed.aimedDepthMm()).isEqualTo(150);
+            assertThat(placed.reasons()).contains("crosses lung");
+        }
+    }
+
+    @Test
+    void aNeedleThatIsTurnedAwayInTheWallIsJudgedOverItsLength() {
+        NeedleInsertion needle = needle(150, new double[] {90, 0, -100});
+        needle.update(body.still(0), RespiratoryPhase.PAUSE);
+        needle.place(ENTRY, new double[] {90, 0, -100});
+        needle.advance(15, 1000);
+        needle.update(body.still(1), RespiratoryPhase.PAUSE);
+        needle.turn(NeedleAngles.of(new double[] {0.66, 0, 0.75}));
+        assertThat(state(needle).reasons()).contains("crosses lung");
     }
 }
