@@ -2,8 +2,12 @@ package org.phrenic.access;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.Numbers;
+import org.phrenic.model.assembly.LiveBreathing;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Frame;
@@ -20,11 +24,11 @@ public final class BreathCycle {
     static final int MAX_MOMENTS = 160;
     /** Maximum recording time, s, of a pattern or, without a period, of the duration of the scenario. */
     private static final double MAX_DURATION_S = 40;
-    /** Moments of a breath below which its depth may be missed. */
+    /** Moments of a breath, outside of pauses and holds, below which its depth may be missed. */
     private static final int FEWEST_MOMENTS = 8;
 
-    /** A moment is recorded at the nearest step, s. */
-    private static final double SAME_TIME_S = 0.1;
+    /** Periods that differ by less are one, s. */
+    private static final double SAME_PERIOD_S = 1e-6;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
@@ -38,8 +42,10 @@ public final class BreathCycle {
      */
     public static List<BreathMoment> record(Simulation simulation, SceneSurfaces surfaces, int phases) {
         double start = simulation.time();
-        double recordedS = recordedS(simulation.breathDurationS());
-        int count = moments(phases, simulation.scene().drive().pattern().breathsBetween(start, start + recordedS));
+        double periodS = simulation.breathDurationS();
+        double recordedS = recordedS(periodS);
+        LiveBreathing breathing = simulation.scene().drive().pattern();
+        int count = moments(phases, recordedS, breathing.shortestBreathS(start, start + recordedS));
         List<BreathMoment> moments = new ArrayList<>();
         Frame frame = surfaces.newFrame();
         for (int i = 0; i < count; i++) {
@@ -48,7 +54,7 @@ public final class BreathCycle {
                 simulation.step();
             }
             surfaces.capture(frame);
-            moments.add(new BreathMoment(frame.copy(), simulation.breathLabel()));
+            moments.add(new BreathMoment(frame.copy(), simulation.breathLabel(), periodS));
         }
         return moments;
     }
@@ -58,9 +64,9 @@ public final class BreathCycle {
         return Math.min(periodS, MAX_DURATION_S);
     }
 
-    /** Number of moments of so many breaths: that of a breath for each, as far as there is memory for them. */
-    static int moments(int phases, int breaths) {
-        return Math.max(phases, Math.min(phases * breaths, MAX_MOMENTS));
+    /** Number of moments of a recording: so many of its shortest breath, as far as there is memory for them. */
+    static int moments(int phases, double recordedS, double shortestBreathS) {
+        return Math.max(phases, (int) Math.min(Math.round(phases * recordedS / shortestBreathS), MAX_MOMENTS));
     }
 
     /** Whether the next moment is due, {@code sinceS} seconds after the first. */
@@ -70,21 +76,32 @@ public final class BreathCycle {
 
     /**
      * What a judgement by recorded moments may miss, as one sentence without a full stop: breaths after the longest
-     * recording, and depths between moments that are more than an eighth of a breath apart; empty for neither.
+     * recording, and depths of a breath with few moments outside of pauses and holds; empty for neither.
      */
     public static Optional<String> limits(List<BreathMoment> moments) {
         int count = moments.size();
-        if (count < 2) {
+        if (count == 0) {
             return Optional.empty();
         }
-        Frame last = moments.get(count - 1).frame();
-        double spanS = (last.timeS() - moments.get(0).timeS()) * count / (count - 1);
-        double breaths = 1 + last.values()[BREATH] - moments.get(0).frame().values()[BREATH];
-        boolean cut = spanS > MAX_DURATION_S - SAME_TIME_S;
-        boolean sparse = breaths > 1 && count < FEWEST_MOMENTS * breaths;
-        return cut || sparse
+        Map<Integer, Integer> moving = new TreeMap<>();
+        int last = 0;
+        for (BreathMoment moment : moments) {
+            last = (int) moment.frame().values()[BREATH];
+            if (moment.label() == RespiratoryPhase.INSPIRATION || moment.label() == RespiratoryPhase.EXPIRATION) {
+                moving.merge(last, 1, Integer::sum);
+            }
+        }
+        boolean chosen = moving.size() < 2 && count < FEWEST_MOMENTS;
+        double periodS = moments.get(0).periodS();
+        boolean cut = periodS > MAX_DURATION_S + SAME_PERIOD_S;
+        if (cut && moving.size() > 1) {
+            moving.remove(last);
+        }
+        int least = moving.values().stream().min(Integer::compare).orElse(count);
+        return cut || (least < FEWEST_MOMENTS && !chosen)
                 ? Optional.of(Numbers.format(
-                        "judged at %d moments of the first %.0f s, %.1f a breath", count, spanS, count / breaths))
+                        "judged at %d moments of %s%.0f s, at least %d of each breath outside of pauses and holds",
+                        count, cut ? "the first " : "", recordedS(periodS), least))
                 : Optional.empty();
     }
 }

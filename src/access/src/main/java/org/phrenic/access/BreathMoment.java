@@ -8,8 +8,9 @@ import org.phrenic.simulation.observe.Frame;
  *
  * @param frame private copy, read-only
  * @param label phase of the breath
+ * @param periodS period of the breathing, of one breath or of several, s
  */
-public record BreathMoment(Frame frame, RespiratoryPhase label) {
+public record BreathMoment(Frame frame, RespiratoryPhase label, double periodS) {
     /** Simulated time, s. */
     public double timeS() {
         return frame.timeS();

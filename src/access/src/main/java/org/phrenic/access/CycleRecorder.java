@@ -20,7 +20,7 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
     private final DoubleConsumer progress;
     private final Consumer<List<BreathMoment>> whole;
     private final List<BreathMoment> moments = new ArrayList<>();
-    private double recordedS;
+    private double periodS;
     private int count;
 
     /**
@@ -45,7 +45,7 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
             return true;
         }
         int next = moments.size();
-        return next > 0 && next < count && BreathCycle.isDue(timeS, dtS, recordedS, next, count);
+        return next > 0 && next < count && BreathCycle.isDue(timeS, dtS, BreathCycle.recordedS(periodS), next, count);
     }
 
     @Override
@@ -55,10 +55,11 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
         }
         if (frame.step() == 0) {
             moments.clear();
-            recordedS = BreathCycle.recordedS(run.breathDurationS());
-            count = BreathCycle.moments(phases, run.breathsIn(recordedS));
+            periodS = run.breathDurationS();
+            double recordedS = BreathCycle.recordedS(periodS);
+            count = BreathCycle.moments(phases, recordedS, run.shortestBreathS(recordedS));
         }
-        moments.add(new BreathMoment(frame.copy(), label));
+        moments.add(new BreathMoment(frame.copy(), label, periodS));
         progress.accept((double) moments.size() / count);
         if (moments.size() == count) {
             whole.accept(List.copyOf(moments));

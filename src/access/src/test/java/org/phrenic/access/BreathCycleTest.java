@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,9 +29,9 @@ class BreathCycleTest {
     Path folder;
 
     @ParameterizedTest
-    @CsvSource({"20, 0, 20", "20, 1, 20", "20, 3, 60", "20, 20, 160", "100, 1, 100", "100, 3, 160"})
-    void eachBreathHasItsMomentsAsFarAsThereIsMemory(int phases, int breaths, int moments) {
-        assertThat(BreathCycle.moments(phases, breaths)).isEqualTo(moments);
+    @CsvSource({"20, 4, 20", "20, 1.333, 60", "20, 0.2, 160", "100, 4, 100", "100, 1.333, 160", "2, 3.999, 2"})
+    void theShortestBreathHasItsMomentsAsFarAsThereIsMemory(int phases, double shortestBreathS, int moments) {
+        assertThat(BreathCycle.moments(phases, 4, shortestBreathS)).isEqualTo(moments);
     }
 
     /** A recording of three breaths of 1.2 s. */
@@ -54,27 +55,43 @@ class BreathCycleTest {
         assertThat(ofBreath).isEqualTo(Map.of(0, 4, 1, 4, 2, 4));
     }
 
-    private static List<BreathMoment> moments(int count, double periodS, double breathS) {
+    /** Moments of breaths that pause for their last fifth, of which the last goes on to the end. */
+    private static List<BreathMoment> moments(int count, double periodS, double breathS, int breaths) {
         List<Surface> none = List.of();
         List<BreathMoment> moments = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            double t = periodS * i / count;
-            moments.add(new BreathMoment(TestFrames.of(none, t, Math.floor(t / breathS), 0), RespiratoryPhase.PAUSE));
+            double t = Math.min(periodS, 40) * i / count;
+            double breath = Math.min(Math.floor(t / breathS), breaths - 1);
+            boolean pause = t / breathS - breath >= 0.8;
+            moments.add(new BreathMoment(
+                    TestFrames.of(none, t, breath, 0),
+                    pause ? RespiratoryPhase.PAUSE : RespiratoryPhase.EXPIRATION,
+                    periodS));
         }
         return moments;
     }
 
-    @Test
-    void whatIsNotJudgedIsSaid() {
-        assertThat(BreathCycle.limits(moments(1, 4, 4))).isEmpty();
-        assertThat(BreathCycle.limits(moments(5, 4, 4)))
-                .as("as many as are asked for")
-                .isEmpty();
-        assertThat(BreathCycle.limits(moments(20, 39, 39))).isEmpty();
-        assertThat(BreathCycle.limits(moments(160, 36, 2))).isEmpty();
-        assertThat(BreathCycle.limits(moments(160, 36, 1.5)))
-                .contains("judged at 160 moments of the first 36 s, 6.7 a breath");
-        assertThat(BreathCycle.limits(moments(160, 40, 4)))
-                .contains("judged at 160 moments of the first 40 s, 16.0 a breath");
+    @ParameterizedTest
+    @CsvSource(
+            nullValues = "-",
+            delimiter = '|',
+            value = {
+                "1 | 4 | 4 | 1 | -",
+                "5 | 4 | 4 | 1 | -",
+                "20 | 39 | 39 | 1 | -",
+                "160 | 40 | 2.5 | 16 | -",
+                "60 | 12 | 4 | 3 | -",
+                // The mean is 20 a breath, that of the short breaths 6.
+                "160 | 36 | 1.5 | 8 | judged at 160 moments of 36 s, at least 5",
+                "20 | 4 | 1 | 1 | judged at 20 moments of 4 s, at least 4",
+                "160 | 40.5 | 4 | 11 | judged at 160 moments of the first 40 s, at least 13",
+                // What is recorded of the last breath is not all of it.
+                "160 | 60 | 3.9 | 20 | judged at 160 moments of the first 40 s, at least 12",
+                "160 | 60 | 60 | 1 | judged at 160 moments of the first 40 s, at least 160"
+            })
+    void whatIsNotJudgedIsSaid(int count, double periodS, double breathS, int breaths, String limits) {
+        assertThat(BreathCycle.limits(moments(count, periodS, breathS, breaths)))
+                .isEqualTo(
+                        Optional.ofNullable(limits).map(text -> text + " of each breath outside of pauses and holds"));
     }
 }

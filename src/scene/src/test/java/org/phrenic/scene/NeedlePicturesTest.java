@@ -55,7 +55,7 @@ class NeedlePicturesTest {
         try (Workers workers = Workers.of(1)) {
             return AccessMap.of(
                     anatomy,
-                    List.of(new BreathMoment(body.rest, RespiratoryPhase.PAUSE)),
+                    List.of(new BreathMoment(body.rest, RespiratoryPhase.PAUSE, 4)),
                     new TargetLesion(middle, 20),
                     Needle.standard(),
                     NoGoZone.defaults(),

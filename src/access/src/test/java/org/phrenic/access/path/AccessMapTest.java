@@ -245,8 +245,8 @@ class AccessMapTest {
         BoxAnatomy body = new BoxAnatomy();
         MovingAnatomy boxes = new MovingAnatomy(body.surfaces);
         List<BreathMoment> breath = List.of(
-                new BreathMoment(body.frame(0, 0, new double[3], 0, 0), RespiratoryPhase.PAUSE),
-                new BreathMoment(body.frame(1, 0.5, new double[3], 30, 0), RespiratoryPhase.INSPIRATION));
+                new BreathMoment(body.frame(0, 0, new double[3], 0, 0), RespiratoryPhase.PAUSE, 4),
+                new BreathMoment(body.frame(1, 0.5, new double[3], 30, 0), RespiratoryPhase.INSPIRATION, 4));
         TargetLesion target = TargetLesion.at(boxes, new double[] {90, 0, 0}, 10);
         AccessMap map = AccessMap.of(boxes, breath, target, new Needle(18, 300), NoGoZone.defaults(), workers);
         for (int v = 0; v < map.size(); v++) {

@@ -63,7 +63,7 @@ class DecisivePathTest {
     /** Length of the path that is shown, mm. */
     private double shownMm() {
         RehearsalPlan plan = practice.withSteps(needle.target(), steps, frames);
-        List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE));
+        List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE, 4));
         try (Workers workers = Workers.of(1)) {
             TargetAccess access =
                     TargetAccess.of(scene, breath, needle.target(), plan.needle(), plan.avoided(), workers);

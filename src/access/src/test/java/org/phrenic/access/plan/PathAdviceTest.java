@@ -69,7 +69,7 @@ class PathAdviceTest {
         scene.update(body.still(0));
         return PathOverBreath.of(
                 scene,
-                List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE)),
+                List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE, 4)),
                 new double[] {0, 0, z},
                 TargetLesion.at(scene, new double[] {90, 0, z}, 20),
                 Needle.standard(),
@@ -85,12 +85,12 @@ class PathAdviceTest {
         Frame third = body.still(3);
         third.values()[Observation.COLUMNS.indexOf("breath")] = 2;
         List<BreathMoment> breaths = List.of(
-                new BreathMoment(body.still(0), RespiratoryPhase.PAUSE),
-                new BreathMoment(third, RespiratoryPhase.PAUSE));
+                new BreathMoment(body.still(0), RespiratoryPhase.INSPIRATION, 6),
+                new BreathMoment(third, RespiratoryPhase.EXPIRATION, 6));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
         PathOverBreath path = PathOverBreath.of(
                 scene, breaths, new double[] {0, 0, -20}, target, Needle.standard(), NoGoZone.defaults());
-        String limits = "judged at 2 moments of the first 6 s, 0.7 a breath";
+        String limits = "judged at 2 moments of 6 s, at least 1 of each breath outside of pauses and holds";
         PathAdvice advice = PathAdvice.of(path, new BodySurfaces(body.surfaces));
         assertThat(advice.level()).isEqualTo(PathAdvice.Level.CAREFUL);
         assertThat(advice.reasons()).hasSize(2).first().isEqualTo(limits);
@@ -112,8 +112,8 @@ class PathAdviceTest {
         scene.update(body.still(0));
         Frame inspired = body.frame(1, 0.25, new double[] {20, 0, 0}, 0, 0);
         List<BreathMoment> breath = List.of(
-                new BreathMoment(body.still(0), RespiratoryPhase.PAUSE),
-                new BreathMoment(inspired, RespiratoryPhase.INSPIRATION));
+                new BreathMoment(body.still(0), RespiratoryPhase.PAUSE, 4),
+                new BreathMoment(inspired, RespiratoryPhase.INSPIRATION, 4));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
         Needle needle = new Needle(18, needleMm);
         double[] entry = {0, 0, -20};

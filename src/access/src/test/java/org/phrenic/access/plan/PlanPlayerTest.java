@@ -64,7 +64,7 @@ class PlanPlayerTest {
         try (Workers workers = Workers.of(1)) {
             AccessMap map = AccessMap.of(
                     scene,
-                    List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE)),
+                    List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE, 4)),
                     target,
                     plan.needle(),
                     plan.avoided(),

@@ -67,7 +67,7 @@ class RehearsalReportTest {
         MovingAnatomy scene = new MovingAnatomy(body.surfaces);
         scene.update(body.still(0));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
-        List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE));
+        List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE, 4));
         RehearsalPlan plan = RehearsalPlan.practice(scenario, target, tube, breath.size());
         try (Workers workers = Workers.of(1)) {
             TargetAccess access = TargetAccess.of(scene, breath, target, plan.needle(), plan.avoided(), workers);

@@ -60,7 +60,7 @@ class RobotOperatorTest {
                     ? RespiratoryPhase.INSPIRATION
                     : t < 3 ? RespiratoryPhase.EXPIRATION : RespiratoryPhase.PAUSE;
             cycle.add(new BreathMoment(
-                    body.frame(t, t / PERIOD_S, new double[] {0, 0, -down}, 2 * down - 100, 0), phase));
+                    body.frame(t, t / PERIOD_S, new double[] {0, 0, -down}, 2 * down - 100, 0), phase, PERIOD_S));
         }
         try (Workers workers = Workers.of(1)) {
             access = TargetAccess.of(anatomy, cycle, plan.target(anatomy), plan.needle(), plan.avoided(), workers);

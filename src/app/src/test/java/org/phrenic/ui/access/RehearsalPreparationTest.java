@@ -44,7 +44,7 @@ class RehearsalPreparationTest {
         }
         anatomy.update(frame);
         TargetLesion target = new TargetLesion(new double[] {40, 100, 100}, 20);
-        List<BreathMoment> breath = List.of(new BreathMoment(frame, RespiratoryPhase.PAUSE));
+        List<BreathMoment> breath = List.of(new BreathMoment(frame, RespiratoryPhase.PAUSE, 4));
         try (Workers workers = Workers.of(1)) {
             return AccessMap.of(anatomy, breath, target, Needle.standard(), NoGoZone.defaults(), workers);
         }

@@ -128,7 +128,7 @@ class WayCheckTest {
 
     private static BreathMoment still(List<Surface> body) {
         double[] liver = body.get(1).rest().positions();
-        return new BreathMoment(TestFrames.of(body, 0, 0, 0, new double[0], liver), RespiratoryPhase.PAUSE);
+        return new BreathMoment(TestFrames.of(body, 0, 0, 0, new double[0], liver), RespiratoryPhase.PAUSE, 4);
     }
 
     private static AccessMap map(MovingAnatomy anatomy, BreathMoment still, Set<NoGoZone> avoided, Workers workers) {

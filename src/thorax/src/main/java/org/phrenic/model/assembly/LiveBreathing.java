@@ -25,6 +25,8 @@ public final class LiveBreathing implements BreathingPattern {
     private static final double SAME_PHASE = 1e-9;
     /** Times that differ by less are one, s. */
     private static final double SAME_TIME_S = 1e-6;
+    /** Spacing of the times at which breaths are looked for, s. */
+    private static final double SEARCH_S = 1e-3;
 
     private final TimeWarp clock;
     private final List<Double> cutShortS = new ArrayList<>();
@@ -119,13 +121,26 @@ public final class LiveBreathing implements BreathingPattern {
         return state.base.periodS();
     }
 
-    /** Number of breaths that end between two times, with the breathing as it is, s. */
-    public int breathsBetween(double fromS, double toS) {
+    /**
+     * Duration of the shortest breath that ends between two times, with the breathing as it is, to {@value #SEARCH_S}
+     * s; the time between them if none does.
+     */
+    public double shortestBreathS(double fromS, double toS) {
         BreathState breath = new BreathState();
         at(fromS, breath);
         int before = breath.breath;
-        at(toS + SAME_TIME_S, breath);
-        return breath.breath - before;
+        double begunS = fromS;
+        double shortestS = toS - fromS;
+        for (int i = 1; fromS + i * SEARCH_S <= toS + SAME_TIME_S; i++) {
+            double timeS = fromS + i * SEARCH_S;
+            at(timeS + SAME_TIME_S, breath);
+            if (breath.breath != before) {
+                shortestS = Math.min(shortestS, timeS - begunS);
+                begunS = timeS;
+                before = breath.breath;
+            }
+        }
+        return shortestS;
     }
 
     @Override

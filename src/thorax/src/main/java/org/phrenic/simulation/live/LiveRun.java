@@ -287,11 +287,14 @@ public final class LiveRun implements AutoCloseable {
         return loop.commands.submitAndWait(() -> loop.running == null ? 0 : loop.running.simulation.breathDurationS());
     }
 
-    /** Number of breaths that end within a time from the start on, with the breathing as it is; 0 before a scene. */
-    public int breathsIn(double durationS) {
+    /**
+     * Duration of the shortest breath that ends within a time from the start on, with the breathing as it is; that time
+     * if none does, or before a scene, s.
+     */
+    public double shortestBreathS(double withinS) {
         return loop.commands.submitAndWait(() -> loop.running == null
-                ? 0
-                : loop.running.simulation.scene().drive().pattern().breathsBetween(0, durationS));
+                ? withinS
+                : loop.running.simulation.scene().drive().pattern().shortestBreathS(0, withinS));
     }
 
     /**

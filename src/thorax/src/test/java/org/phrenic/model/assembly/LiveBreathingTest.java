@@ -29,15 +29,20 @@ class LiveBreathingTest {
         return Breathing.patternOf(Scenario.defaults().with(settings));
     }
 
-    /** Sixteen breaths of 2.5 s and an apnoea of 20 s. */
-    @Test
-    void breathsThatEndWithinATimeAreCounted() {
-        LiveBreathing cheyneStokes = breathing("preset=cheyne-stokes");
-        assertThat(cheyneStokes.breathsBetween(0, 60)).isEqualTo(16);
-        assertThat(cheyneStokes.breathsBetween(0, 25)).isEqualTo(10);
-        assertThat(cheyneStokes.breathsBetween(60, 85)).isEqualTo(10);
-        assertThat(breathing().breathsBetween(0, 4)).isEqualTo(1);
-        assertThat(breathing().breathsBetween(0, 3.9)).isZero();
+    /** Sixteen breaths of 2.5 s, with an apnoea of 20 s; two of 4 s before a longer one that is held for 24 s. */
+    @ParameterizedTest
+    @CsvSource({
+        "cheyne-stokes, 0, 60, 2.5",
+        "cheyne-stokes, 60, 85, 2.5",
+        "cheyne-stokes, 0, 2.4, 2.4",
+        "hold-inspiration, 0, 40, 4",
+        "hold-inspiration, 8, 40, 32",
+        "hold-expiration, 0, 40, 4",
+        "quiet, 0, 4, 4",
+        "quiet, 0, 3.9, 3.9"
+    })
+    void theShortestBreathIsFound(String preset, double fromS, double toS, double shortestS) {
+        assertThat(breathing("preset=" + preset).shortestBreathS(fromS, toS)).isCloseTo(shortestS, within(1e-3));
     }
 
     /** Breaths of 4 s, whose expiration is over after 3.4 s. */
