@@ -95,10 +95,9 @@ public final class RehearsalReport {
 
     private Map<String, Object> access() {
         AccessMap map = rehearsal.map();
-        OrderedValues access = map.counts()
-                .toMap()
-                .with("moments", map.cycle().size())
-                .with("avoided", map.avoided().stream().map(NoGoZone::key).toList());
+        OrderedValues access = map.counts().toMap().with("moments", map.cycle().size());
+        BreathCycle.limits(map.cycle()).ifPresent(limits -> access.put("limits", limits));
+        access.put("avoided", map.avoided().stream().map(NoGoZone::key).toList());
         map.best(AccessMap.SUFFICIENT_MARGIN_MM).ifPresent(v -> {
             OrderedValues best = new OrderedValues()
                     .with("vertex", v)
@@ -287,7 +286,7 @@ public final class RehearsalReport {
                         .collect(Collectors.joining(", "))
                 + ". Free at " + path.freeMoments() + " of "
                 + path.analyses().size() + " moments"
-                + BreathCycle.limits(path.cycle()).map(limits -> "; " + limits).orElse("") + ".");
+                + limits(path.cycle()) + ".");
         List<List<String>> rows = new ArrayList<>();
         for (int m = 0; m < path.analyses().size(); m++) {
             BreathMoment moment = path.cycle().get(m);
@@ -298,12 +297,16 @@ public final class RehearsalReport {
         document.table("", Column.list("# Time, s | Breathing | Path | # Margin, mm"), rows);
     }
 
+    private static String limits(List<BreathMoment> cycle) {
+        return BreathCycle.limits(cycle).map(limits -> "; " + limits).orElse("");
+    }
+
     private void accessTable(ReportDocument document) {
         document.section("Where the target can be reached from");
         AccessMap.Counts counts = rehearsal.map().counts();
         document.paragraph("Of " + counts.points() + " points of the skin the needle reaches the target from "
                 + counts.inReach() + "; " + counts.free() + " are free over the whole breath, " + counts.part()
-                + " in part of it.");
+                + " in part of it" + limits(rehearsal.map().cycle()) + ".");
         document.table(
                 "Points in reach, by where their path passes the cage at end-expiration",
                 Column.list("Where | # Free | # In part | # Never"),

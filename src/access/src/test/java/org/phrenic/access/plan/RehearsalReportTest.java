@@ -59,15 +59,22 @@ class RehearsalReportTest {
     /** @param imaged whether the plan takes an ultrasound image */
     private static RehearsalReport report(
             BoxAnatomy body, Scenario scenario, Needle tube, boolean imaged, double... depthsMm) {
-        return report(body, new BodySurfaces(body.surfaces), scenario, tube, imaged, depthsMm);
+        return report(4, body, new BodySurfaces(body.surfaces), scenario, tube, imaged, depthsMm);
     }
 
+    /** @param periodS period of the breathing */
     private static RehearsalReport report(
-            BoxAnatomy body, BodySurfaces shown, Scenario scenario, Needle tube, boolean imaged, double... depthsMm) {
+            double periodS,
+            BoxAnatomy body,
+            BodySurfaces shown,
+            Scenario scenario,
+            Needle tube,
+            boolean imaged,
+            double... depthsMm) {
         MovingAnatomy scene = new MovingAnatomy(body.surfaces);
         scene.update(body.still(0));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
-        List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE, 4));
+        List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE, periodS));
         RehearsalPlan plan = RehearsalPlan.practice(scenario, target, tube, breath.size());
         try (Workers workers = Workers.of(1)) {
             TargetAccess access = TargetAccess.of(scene, breath, target, plan.needle(), plan.avoided(), workers);
@@ -117,9 +124,23 @@ class RehearsalReportTest {
         assertThat(seen.values()).doesNotContainKey("not_in_scan");
         BoxAnatomy body = new BoxAnatomy();
         BodySurfaces unseen = new BodySurfaces(body.surfaces, Set.of("skin", "lung_R"), "lung, skin");
-        RehearsalReport report = report(body, unseen, Scenario.defaults(), Needle.standard(), false);
+        RehearsalReport report = report(4, body, unseen, Scenario.defaults(), Needle.standard(), false);
         assertThat(page(report)).contains("Not in the scan, and so not of this person: lung, skin.");
         assertThat(report.values()).containsEntry("not_in_scan", List.of("lung_R", "skin"));
+    }
+
+    /** Without a needle there is no path that could tell. */
+    @Test
+    void theAccessMapSaysWhatOfALongRecordingItDoesNotJudge() {
+        BoxAnatomy body = new BoxAnatomy();
+        BodySurfaces seen = new BodySurfaces(body.surfaces);
+        String limits = "judged at 1 moments of the first 40 s";
+        RehearsalReport cut = report(60, body, seen, Scenario.defaults(), Needle.standard(), false);
+        assertThat(cut.values().get("access").toString()).contains("limits=" + limits);
+        assertThat(page(cut)).contains("in part of it; " + limits);
+        RehearsalReport whole = report(40, body, seen, Scenario.defaults(), Needle.standard(), false);
+        assertThat(whole.values().get("access").toString()).doesNotContain("limits=");
+        assertThat(page(whole)).contains("in part of it.");
     }
 
     @Test
