@@ -1,6 +1,7 @@
 package org.phrenic.access;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.simulation.observe.Surface;
@@ -22,5 +23,13 @@ public record BodySurfaces(List<Surface> surfaces, Set<String> notInScan, String
     /** @param surfaces of a scene of the body */
     public BodySurfaces(List<Surface> surfaces, Thorax body) {
         this(surfaces, body.notInScan(), body.notInScanSummary());
+    }
+
+    /** What of a structure the scan does not show: its label, words for a part of it, or empty. */
+    public Optional<String> notInScanOf(Surface structure) {
+        if (notInScan.contains(structure.name())) {
+            return Optional.of(MovingStructure.label(structure));
+        }
+        return Optional.of(Thorax.partOf(structure.kind(), structure.name())).filter(notInScan::contains);
     }
 }

@@ -20,7 +20,7 @@ public final class MovingAnatomy {
     public static final String VESSELS_PREFIX = "vessels_";
 
     /** What the display name of such a margin begins with. */
-    public static final String VESSELS_LABEL = "the vessels below ";
+    private static final String VESSELS_LABEL = "the vessels below ";
 
     private final List<MovingStructure> structures;
     private final List<MovingStructure> hazards;

@@ -85,13 +85,9 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
                 .map(s -> s.structure().name());
         Stream<String> continued = structures.stream()
                 .filter(s -> s.source() == PatientStructure.Source.EXTENDED && !s.isComplete())
-                .map(s -> "part of the " + organ(s.structure()))
+                .map(s -> Thorax.partOf(s.structure().kind(), s.structure().name()))
                 .distinct();
         return Stream.concat(absent, continued).toList();
-    }
-
-    private static String organ(Structure s) {
-        return s.kind() == StructureKind.LUNG ? "lungs" : s.name().replace('_', ' ');
     }
 
     /** Merges the surfaces of structures into one mesh; empty if there are none. */

@@ -100,6 +100,11 @@ public record Thorax(
         return !notInScan.contains(structure.name());
     }
 
+    /** Words for a part of a structure among what is not in the scan, such as "part of the lungs". */
+    public static String partOf(StructureKind kind, String name) {
+        return "part of the " + (kind == StructureKind.LUNG ? "lungs" : name.replace('_', ' '));
+    }
+
     /** All structures of a kind, in their original order. */
     public List<Structure> structuresOf(StructureKind kind) {
         return structures.stream().filter(s -> s.kind() == kind).toList();

@@ -9,7 +9,6 @@ import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.LiverTissue;
 import org.phrenic.access.MovingAnatomy;
-import org.phrenic.access.MovingStructure;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.SkinPoint;
@@ -23,7 +22,7 @@ import org.phrenic.simulation.observe.Surface;
  * the target.
  *
  * @param analyses analysis of the path at each moment
- * @param marginsMm margin to the avoided zones at each moment, mm; 0 if a zone is touched
+ * @param margins margin to the avoided zones at each moment
  * @param marginsFrom display name of the structure that the margin is measured from at each moment; empty if none is in
  *     range
  * @param motion motion of the target
@@ -32,7 +31,7 @@ import org.phrenic.simulation.observe.Surface;
 public record PathOverBreath(
         List<BreathMoment> cycle,
         List<PathAnalysis> analyses,
-        double[] marginsMm,
+        List<PathAnalyzer.Margin> margins,
         List<String> marginsFrom,
         TargetMotion motion,
         Needle needle,
@@ -56,15 +55,15 @@ public record PathOverBreath(
         PathAnalyzer analyzer = new PathAnalyzer(anatomy, needle);
         List<PathAnalysis> analyses = new ArrayList<>();
         List<double[]> targets = new ArrayList<>();
-        double[] margins = new double[cycle.size()];
+        List<PathAnalyzer.Margin> margins = new ArrayList<>();
         List<String> marginsFrom = new ArrayList<>();
-        for (int m = 0; m < margins.length; m++) {
-            anatomy.update(cycle.get(m).frame());
+        for (BreathMoment moment : cycle) {
+            anatomy.update(moment.frame());
             double[] end = tissue.position(centre);
             targets.add(end);
             analyses.add(analyzer.analyze(entry.current(), end));
             PathAnalyzer.Margin margin = analyzer.margin(entry.current(), end, avoided);
-            margins[m] = margin.mm();
+            margins.add(margin);
             marginsFrom.add(anatomy.labelOf(margin.nearest()));
         }
         return new PathOverBreath(cycle, analyses, margins, marginsFrom, new TargetMotion(targets), needle, avoided);
@@ -87,9 +86,10 @@ public record PathOverBreath(
 
     /** Whether a margin at any moment is measured from a structure, or from the vessels below it. */
     public boolean isMeasuredFrom(Surface structure) {
-        String label = MovingStructure.label(structure);
-        return marginsFrom.stream()
-                .anyMatch(from -> from.equals(label) || from.equals(MovingAnatomy.VESSELS_LABEL + label));
+        String name = structure.name();
+        return margins.stream()
+                .map(PathAnalyzer.Margin::nearest)
+                .anyMatch(from -> from.equals(name) || from.equals(MovingAnatomy.VESSELS_PREFIX + name));
     }
 
     public Map<String, Object> toMap() {
@@ -110,7 +110,7 @@ public record PathOverBreath(
                 .with("time_s", cycle.get(m).timeS())
                 .with("breathing", cycle.get(m).label().label())
                 .with("free", isFree(m))
-                .with("margin_mm", marginsMm[m])
+                .with("margin_mm", margins.get(m).mm())
                 .with("length_mm", analysis.lengthMm())
                 .with("reasons", reasons(m))
                 .with(

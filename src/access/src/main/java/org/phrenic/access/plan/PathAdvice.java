@@ -11,7 +11,6 @@ import java.util.stream.Collectors;
 import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BreathCycle;
-import org.phrenic.access.MovingStructure;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
@@ -45,7 +44,7 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
 
     /**
      * Advice on a path in a body, with remarks on what of the breathing is not recorded, on what the body lacks, and on
-     * skin and structures that a margin is measured from where its scan does not show them.
+     * skin, liver and structures that a margin is measured from where its scan does not show them or shows a part.
      */
     public static PathAdvice of(PathOverBreath path, BodySurfaces body) {
         PathAdvice advice = of(path);
@@ -54,9 +53,10 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
             advice = remark.map(advice::withRemark).orElse(advice);
         }
         String unseen = body.surfaces().stream()
-                .filter(s -> body.notInScan().contains(s.name()))
-                .filter(s -> s.kind() == StructureKind.SKIN || path.isMeasuredFrom(s))
-                .map(MovingStructure::label)
+                .filter(s ->
+                        s.kind() == StructureKind.SKIN || s.kind() == StructureKind.LIVER || path.isMeasuredFrom(s))
+                .flatMap(s -> body.notInScanOf(s).stream())
+                .distinct()
                 .collect(Collectors.joining(", "));
         return unseen.isEmpty() ? advice : advice.withRemark("not in the scan, and so not of this person: " + unseen);
     }
@@ -71,13 +71,16 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
             for (String reason : path.reasons(m)) {
                 phases.computeIfAbsent(reason, r -> new LinkedHashSet<>()).add(phase);
             }
-            if (path.isFree(m) && (tightest < 0 || path.marginsMm()[m] < path.marginsMm()[tightest])) {
+            if (path.isFree(m)
+                    && (tightest < 0
+                            || path.margins().get(m).mm()
+                                    < path.margins().get(tightest).mm())) {
                 tightest = m;
             }
         }
         List<String> reasons = new ArrayList<>();
         phases.forEach((reason, of) -> reasons.add(free == 0 ? reason : reason + ": " + words(of)));
-        boolean close = tightest >= 0 && path.marginsMm()[tightest] < AccessMap.SUFFICIENT_MARGIN_MM;
+        boolean close = tightest >= 0 && path.margins().get(tightest).mm() < AccessMap.SUFFICIENT_MARGIN_MM;
         Level level = free == 0 ? Level.BARRED : free < moments || close ? Level.CAREFUL : Level.FREE;
         String headline = free == 0
                 ? "Barred over the whole breath"
@@ -86,7 +89,7 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
                         : close ? "Free over the whole breath, but close" : "Free over the whole breath";
         String margin = tightest < 0
                 ? ""
-                : margin(path.marginsMm()[tightest], path.marginsFrom().get(tightest));
+                : margin(path.margins().get(tightest).mm(), path.marginsFrom().get(tightest));
         return new PathAdvice(
                 level,
                 headline,

@@ -292,7 +292,10 @@ public final class RehearsalReport {
             BreathMoment moment = path.cycle().get(m);
             String reasons = path.reasons(m).isEmpty() ? "free" : String.join(", ", path.reasons(m));
             rows.add(List.of(
-                    number(moment.timeS()), moment.label().label(), reasons, PathAdvice.margin(path.marginsMm()[m])));
+                    number(moment.timeS()),
+                    moment.label().label(),
+                    reasons,
+                    PathAdvice.margin(path.margins().get(m).mm())));
         }
         document.table("", Column.list("# Time, s | Breathing | Path | # Margin, mm"), rows);
     }

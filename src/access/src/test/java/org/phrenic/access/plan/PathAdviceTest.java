@@ -17,8 +17,10 @@ import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.Surface;
 
 class PathAdviceTest {
     /**
@@ -45,10 +47,15 @@ class PathAdviceTest {
         "-20, BONE, lung_R, ",
         "-20, BONE, rib_09_R, right rib 9",
         "5, VESSELS, rib_08_R, right rib 8",
-        "5, VESSELS, liver, ",
+        "5, VESSELS, lung_R, ",
+        "-20, LUNG, part of the lungs, part of the lungs",
+        "-20, BONE, part of the lungs, ",
+        "5, VESSELS, part of the rib 08 R, part of the rib 08 R",
+        "-20, BONE, liver, liver",
+        "-20, BONE, part of the liver, part of the liver",
         "-20, BONE, skin, skin"
     })
-    void skinAndWhatAMarginIsMeasuredFromAreNamedIfTheyAreNotInTheScan(
+    void skinLiverAndWhatAMarginIsMeasuredFromAreNamedIfTheyAreNotInTheScan(
             double z, NoGoZone avoided, String notInScan, String named) {
         BoxAnatomy body = new BoxAnatomy();
         PathOverBreath path = level(body, z, avoided);
@@ -62,6 +69,30 @@ class PathAdviceTest {
             assertThat(unseen.reasons()).last().isEqualTo("not in the scan, and so not of this person: " + named);
         }
         assertThat(seen.reasons()).singleElement().asString().startsWith("not in this body");
+    }
+
+    /** As two lobes of a lung. */
+    @Test
+    void oneOfTwoStructuresWithOneLabelIsNamed() {
+        BoxAnatomy body = new BoxAnatomy();
+        Surface rib = body.surfaces.get(3);
+        body.surfaces.add(new Surface(
+                "rib_09_R_far",
+                rib.kind(),
+                rib.level(),
+                rib.side(),
+                Shapes.moved(rib.rest(), 0, 0, 300),
+                Surface.Motion.STILL,
+                new boolean[0]));
+        PathOverBreath path = level(body, -20, NoGoZone.BONE);
+        assertThat(remark(path, body, "rib_09_R")).endsWith(": right rib 9");
+        assertThat(remark(path, body, "rib_09_R_far")).startsWith("not in this body");
+    }
+
+    private static String remark(PathOverBreath path, BoxAnatomy body, String notInScan) {
+        List<String> reasons = PathAdvice.of(path, new BodySurfaces(body.surfaces, Set.of(notInScan), notInScan))
+                .reasons();
+        return reasons.get(reasons.size() - 1);
     }
 
     private static PathOverBreath level(BoxAnatomy body, double z, NoGoZone avoided) {
