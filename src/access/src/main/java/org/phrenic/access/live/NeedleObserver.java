@@ -38,7 +38,9 @@ final class NeedleObserver {
         analyzer = new PathAnalyzer(anatomy, plan.needle());
     }
 
-    /** The state at a frame; a needle that points away from the target is judged over its length. */
+    /**
+     * The state at a frame; a needle that points more than 45 degrees aside of the target is judged over its length.
+     */
     NeedleState describe(
             NeedleInsertion needle, HeldProbe probe, Planned planned, Frame frame, RespiratoryPhase phase) {
         NeedleShaft shaft = needle.shaft();
@@ -54,7 +56,8 @@ final class NeedleObserver {
         double depth = placed ? shaft.depth() : 0;
         double lengthMm = plan.needle().lengthMm();
         double ahead = placed ? Math.max(Math.min(along, lengthMm), depth) : along;
-        double aimed = along > Needle.LEAST_AIM_MM ? ahead : lengthMm;
+        double beside = Vectors.distanceToLine(centre, start, direction);
+        double aimed = along > Math.max(Needle.LEAST_AIM_MM, beside) ? ahead : lengthMm;
         double[] end = Vectors.addScaled(start, direction, aimed);
         Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
         boolean reaches =

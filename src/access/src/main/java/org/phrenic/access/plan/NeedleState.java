@@ -19,7 +19,7 @@ import org.phrenic.mesh.Vectors;
  * @param tip tip of the needle; before placement, of the planned needle
  * @param depthMm depth of the tip below the skin, mm
  * @param aimedDepthMm length of the path that is judged, mm: the depth at which the needle passes nearest to the
- *     target, or that of its tip if it is deeper; the length of a needle that points away from the target
+ *     target, or that of its tip if it is deeper; the length of a needle that points more than 45 degrees aside of it
  * @param targetingError targeting error; empty before placement
  * @param reasons reasons why the path that is judged is not free, as text; empty if it is free
  * @param marginMm margin of the path to the avoided zones, mm; 0 if it is not free

@@ -125,6 +125,18 @@ class NeedleObserverTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({"0, 90", "44, 64.7", "46, 150", "80, 150", "88, 150", "91, 150"})
+    void aNeedleThatPointsFarAsideOfTheTargetIsJudgedOverItsLength(double aside, double judgedMm) {
+        double angle = Math.toRadians(aside);
+        NeedleAngles angles = NeedleAngles.of(new double[] {Math.cos(angle), 0, Math.sin(angle)});
+        NeedleInsertion needle = needle(150);
+        assertThat(state(needle, Optional.of(angles)).aimedDepthMm()).isCloseTo(judgedMm, within(0.1));
+        needle.update(body.still(0), RespiratoryPhase.PAUSE);
+        needle.placeAtRest(ENTRY, angles);
+        assertThat(state(needle).aimedDepthMm()).isCloseTo(judgedMm, within(0.1));
+    }
+
     @Test
     void aNeedleThatIsTurnedAwayInTheWallIsJudgedOverItsLength() {
         NeedleInsertion needle = needle(150, new double[] {90, 0, -100});
