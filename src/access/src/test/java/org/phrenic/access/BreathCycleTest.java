@@ -10,21 +10,27 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.phrenic.anatomy.MeshBudget;
-import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.live.LiveRun;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.simulation.observe.TestFrames;
 
 class BreathCycleTest {
+    private static final long PATIENCE_S = 60;
+
     @TempDir
     Path folder;
 
@@ -34,7 +40,7 @@ class BreathCycleTest {
         assertThat(BreathCycle.moments(phases, 4, shortestBreathS)).isEqualTo(moments);
     }
 
-    /** A recording of three breaths of 1.2 s. */
+    /** A recording of three breaths of 1.2 s, headless and live. */
     @Test
     void everyBreathOfARecordingIsSeen() throws Exception {
         StringBuilder csv = new StringBuilder("time_s,amplitude\n");
@@ -44,15 +50,40 @@ class BreathCycleTest {
         }
         Path trace = Files.writeString(folder.resolve("belt.csv"), csv.toString());
         Scenario scenario = Scenario.defaults().with("trace=" + trace, "mesh_vertices=2000", "liver=false");
+        List<BreathMoment> headless;
+        try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
+            headless = BreathCycle.record(simulation, new SceneSurfaces(simulation), 4);
+        }
         Map<Integer, Integer> ofBreath = new TreeMap<>();
-        try (Simulation simulation =
-                Simulation.of(scenario, VirtualThorax.ofPreset("adult-male", new MeshBudget(2000)))) {
-            for (BreathMoment moment : BreathCycle.record(simulation, new SceneSurfaces(simulation), 4)) {
-                int breath = (int) moment.frame().values()[Observation.COLUMNS.indexOf("breath")];
-                ofBreath.merge(breath, 1, Integer::sum);
-            }
+        for (BreathMoment moment : headless) {
+            int breath = (int) moment.frame().values()[Observation.COLUMNS.indexOf("breath")];
+            ofBreath.merge(breath, 1, Integer::sum);
         }
         assertThat(ofBreath).isEqualTo(Map.of(0, 4, 1, 4, 2, 4));
+        List<BreathMoment> live = live(scenario, 4);
+        assertThat(live).hasSameSizeAs(headless);
+        for (int m = 0; m < live.size(); m++) {
+            assertThat(live.get(m).label()).isEqualTo(headless.get(m).label());
+            assertThat(live.get(m).periodS()).isEqualTo(headless.get(m).periodS());
+            assertThat(live.get(m).frame().values())
+                    .isEqualTo(headless.get(m).frame().values());
+        }
+    }
+
+    private static List<BreathMoment> live(Scenario scenario, int phases) throws Exception {
+        CompletableFuture<LiveScene> loaded = new CompletableFuture<>();
+        LiveRun run = new LiveRun(scenario, new FirstScene(loaded));
+        try {
+            Frame ofScene = loaded.get(PATIENCE_S, TimeUnit.SECONDS).newFrame().get();
+            CompletableFuture<List<BreathMoment>> cycle = new CompletableFuture<>();
+            CycleRecorder recorder = new CycleRecorder(run, ofScene, phases, share -> {}, cycle::complete);
+            run.setSpeed(Double.POSITIVE_INFINITY);
+            run.restart(recorder, recorder);
+            run.play();
+            return cycle.get(PATIENCE_S, TimeUnit.SECONDS);
+        } finally {
+            run.close();
+        }
     }
 
     /** Moments of breaths that pause for their last fifth, of which the last goes on to the end. */

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.access.ultrasound.LiverWindow;
 import org.phrenic.access.ultrasound.ScannedSkin;
 import org.phrenic.anatomy.Side;
@@ -32,6 +34,38 @@ class TrunkSkinTest {
                     .containsExactly(0, 0, 0);
             assertThat(LiverWindow.RIGHT_INTERCOSTAL.placeOn(surfaces)[0]).isZero();
         }
+    }
+
+    /** A scan that ends in the liver, which lies from -120 to 120 mm in z. */
+    @ParameterizedTest
+    @CsvSource({"120, 150", "116, 150", "150, 116"})
+    void aLiverThatGoesThroughTheEndOfTheSkinIsWithin(double below, double above) {
+        List<Surface> surfaces = withArm(-below, above);
+        assertThat(new MovingAnatomy(surfaces).skin().surface().name()).isEqualTo("skin");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"114, 150", "150, 114"})
+    void aSkinThatEndsWithinTheLiverIsRefused(double below, double above) {
+        assertThatThrownBy(() -> TrunkSkin.of(withArm(-below, above)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("the body: found 0 of the skins skin, skin_arm_R around the liver, expected one");
+    }
+
+    private static List<Surface> withArm(double fromZ, double toZ) {
+        BoxAnatomy boxes = new BoxAnatomy();
+        boxes.surfaces.set(0, skin("skin", BoxAnatomy.box(0, -100, fromZ, 200, 100, toZ)));
+        boxes.surfaces.add(skin("skin_arm_R", BoxAnatomy.box(-80, -30, -150, -10, 30, 150)));
+        return boxes.surfaces;
+    }
+
+    @Test
+    void twoSkinsAboutTheLiverAreRefused() {
+        BoxAnatomy boxes = new BoxAnatomy();
+        boxes.surfaces.add(skin("skin_clothes", BoxAnatomy.box(-10, -110, -160, 210, 110, 160)));
+        assertThatThrownBy(() -> TrunkSkin.of(boxes.surfaces))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("the body: found 2 of the skins skin, skin_clothes around the liver, expected one");
     }
 
     @Test

@@ -24,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.BodySurfaces;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CycleRecorder;
+import org.phrenic.access.FirstScene;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.attempt.AttemptEvent;
@@ -45,6 +46,7 @@ import org.phrenic.access.ultrasound.CurvilinearProbe;
 import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.access.ultrasound.Ultrasound;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.YamlWriter;
@@ -90,7 +92,7 @@ class LiveAttemptTest {
         RehearsalPlan plan = plan(folder, "steps: []\n");
         CompletableFuture<LiveScene> loaded = new CompletableFuture<>();
         CompletableFuture<List<BreathMoment>> cycle = new CompletableFuture<>();
-        run = new LiveRun(plan.scenario(), new Listener(loaded));
+        run = new LiveRun(plan.scenario(), new FirstScene(loaded));
         run.showOrgans();
         run.setSpeed(Double.POSITIVE_INFINITY);
         run.play();
@@ -127,7 +129,8 @@ class LiveAttemptTest {
                 + "  - hold_breath: false\n  - wait: 0.1\n");
         Rehearsal live = live(plan, true, needle -> {});
         assertThat(live.record().events()).isNotEmpty();
-        assertThat(report(live)).isEqualTo(report(Rehearsal.play(plan, (at, total, perS) -> {})));
+        assertThat(report(live)).contains("not_in_scan");
+        assertThat(report(live)).isEqualTo(report(Rehearsal.play(plan, scanned(), (at, total, perS) -> {})));
     }
 
     @Test
@@ -175,7 +178,7 @@ class LiveAttemptTest {
         YamlWriter.write(folder.resolve("scenario.yaml"), live.plan().scenario().toMap());
         YamlWriter.write(folder.resolve("by-hand.yaml"), live.plan().toMap("scenario.yaml"));
         RehearsalPlan again = RehearsalPlan.read(folder.resolve("by-hand.yaml"));
-        Rehearsal headless = Rehearsal.play(again, (at, total, perS) -> {});
+        Rehearsal headless = Rehearsal.play(again, scanned(), (at, total, perS) -> {});
         assertThat(report(headless)).isEqualTo(report(live));
         assertThat(imageAtSample(headless))
                 .as("the image of the sample's moment, without and with a live run")
@@ -390,6 +393,12 @@ class LiveAttemptTest {
         return ProbeHold.at(ENTRY, new ProbePose.Angles(rotationDeg, tiltDeg, 0), UltrasoundSettings.DEFAULT);
     }
 
+    /** The body as of a scan that does not show its skin. */
+    private static Thorax scanned() {
+        Thorax body = scene.body();
+        return new Thorax(body.name(), body.structures(), body.notes(), Set.of("skin"), body.organs());
+    }
+
     private static String report(Rehearsal rehearsal) {
         return JsonWriter.format(new RehearsalReport(rehearsal).values());
     }
@@ -425,7 +434,7 @@ class LiveAttemptTest {
             hand.accept(needle);
             LiveAttempt attempt = ended.get(PATIENCE_S, TimeUnit.SECONDS);
             RehearsalPlan done = played ? plan : attempt.toPlan(plan);
-            return attempt.toRehearsal(done, new BodySurfaces(scene.surfaces()), study, mapped);
+            return attempt.toRehearsal(done, new BodySurfaces(scene.surfaces(), scanned()), study, mapped);
         } finally {
             run.pause();
         }
@@ -453,29 +462,5 @@ class LiveAttemptTest {
         public void stopped() {
             stop.complete(null);
         }
-    }
-
-    /** Hands on the first scene and that it failed. */
-    private record Listener(CompletableFuture<LiveScene> scene) implements LiveRun.Listener {
-        @Override
-        public void loading(String what, double share) {}
-
-        @Override
-        public void ready(LiveScene ready) {
-            scene.complete(ready);
-        }
-
-        @Override
-        public void failed(String sentence) {
-            scene.completeExceptionally(new IllegalStateException(sentence));
-        }
-
-        @Override
-        public void diverged(String sentence) {
-            failed(sentence);
-        }
-
-        @Override
-        public void changed() {}
     }
 }

@@ -17,6 +17,8 @@ class PleuralRecessTest {
     private static final double[] LEFT_LOBE = {10, -65, 60};
     private static final double[] RIGHT_SPACE = {-156, 0, 20};
     private static final double[] RIGHT_ABOVE = {-156, 0, 60};
+    private static final double[] RIGHT_BELOW = {-86, -117, -20};
+    private static final double[] RIGHT_CENTRAL = {-60, -20, 20};
     private static final double[] RIGHT_SUBCOSTAL = {-70, -115, -60};
     private static final double[] LEFT_SPACE = {130, -80, 20};
 
@@ -58,6 +60,15 @@ class PleuralRecessTest {
         assertThat(touchesPleura(body, RIGHT_SUBCOSTAL, RIGHT_LOBE)).isFalse();
         assertThat(body.margin(RIGHT_SUBCOSTAL, RIGHT_LOBE, LUNG_AND_PLEURA).mm())
                 .isPositive();
+    }
+
+    /** A way below the surface of the pleura, into the diaphragm where it borders the recess by the rule. */
+    @Test
+    void onASideWithAPleuraTheRuleTellsNothing() {
+        PathAnalyzer right = without(Set.of(Side.LEFT));
+        PathAnalyzer none = without(Set.of(Side.RIGHT, Side.LEFT));
+        assertThat(touchesPleura(none, RIGHT_BELOW, RIGHT_CENTRAL)).isTrue();
+        assertThat(touchesPleura(right, RIGHT_BELOW, RIGHT_CENTRAL)).isFalse();
     }
 
     @Test

@@ -37,11 +37,7 @@ class RehearsalPreparationTest {
 
     static AccessMap map(List<Surface> surfaces) {
         MovingAnatomy anatomy = new MovingAnatomy(surfaces);
-        double[] liver = surfaces.get(1).rest().positions();
-        Frame frame = new Frame(new Object(), new int[] {0, liver.length}, new boolean[2], 0);
-        for (int i = 0; i < liver.length; i++) {
-            frame.positions(1)[i] = (float) liver[i];
-        }
+        Frame frame = RehearsalBodyTest.frame(surfaces);
         anatomy.update(frame);
         TargetLesion target = new TargetLesion(new double[] {40, 100, 100}, 20);
         List<BreathMoment> breath = List.of(new BreathMoment(frame, RespiratoryPhase.PAUSE, 4));
