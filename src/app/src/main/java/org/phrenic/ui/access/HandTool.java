@@ -6,7 +6,6 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.plan.NeedleState;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.scene.ProbeMarker;
 import org.phrenic.scene.camera.Camera;
@@ -96,7 +95,7 @@ final class HandTool {
             return;
         }
         searching = true;
-        view.pick(to.x, to.y, s -> s.kind() == StructureKind.SKIN ? 1 : 0, found -> {
+        view.pick(to.x, to.y, rehearsal.skinOpacity(), found -> {
             searching = false;
             Optional<Point> next = wanted;
             wanted = Optional.empty();

@@ -69,8 +69,7 @@ public final class PickMode implements SceneViewport.MouseTool {
 
     @Override
     public ToDoubleFunction<Surface> pickOpacity() {
-        StructureKind sought = mode == Kind.TARGET ? StructureKind.LIVER : StructureKind.SKIN;
-        return surface -> surface.kind() == sought ? 1 : 0;
+        return mode == Kind.TARGET ? surface -> surface.kind() == StructureKind.LIVER ? 1 : 0 : rehearsal.skinOpacity();
     }
 
     @Override

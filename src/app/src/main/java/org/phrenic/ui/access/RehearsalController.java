@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
 import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.live.LiveRehearsal;
 import org.phrenic.access.path.TargetAccess;
@@ -220,6 +221,12 @@ public final class RehearsalController implements Session.Listener {
     /** Makes a lesion that the body shows the target. */
     public void setTarget(ScannedLesion lesion) {
         preparation.setTarget(lesion.target());
+    }
+
+    /** For picks of a place for needle or probe: the skin about the liver alone, whatever lies before it. */
+    ToDoubleFunction<Surface> skinOpacity() {
+        Optional<Surface> skin = body.map(b -> b.planningScene().skin().surface());
+        return surface -> skin.filter(surface::equals).isPresent() ? 1 : 0;
     }
 
     /** The lesions of the liver that the body shows, the largest first. */
