@@ -19,7 +19,7 @@ final class ReportTerms {
         List<String> words = new ArrayList<>(List.of(
                 hit(rehearsal.plan().needle()),
                 "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by"
-                        + " a path through the pleura, or, in a body without a surface of it, one that enters the"
+                        + " a path through the pleura, or, on a side without a surface of it, one that enters the"
                         + " diaphragm more than " + mm(PleuralReflection.HEIGHT_ABOVE_ORIGIN_MM)
                         + " mm above its lower rim.",
                 "Vessels below a rib: within " + mm(CostalGroove.NEUROVASCULAR_ZONE_MM)
