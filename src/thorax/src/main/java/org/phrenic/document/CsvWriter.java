@@ -1,9 +1,11 @@
 package org.phrenic.document;
 
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -50,15 +52,22 @@ public final class CsvWriter {
     /** Formats a table of arbitrary cells; those with commas, quotes or line breaks are quoted. */
     public static String format(List<String> header, List<? extends List<?>> rows) {
         StringBuilder text = new StringBuilder();
-        try (CSVPrinter printer = new CSVPrinter(text, FORMAT)) {
-            printer.printRecord(header);
-            for (List<?> row : rows) {
-                printer.printRecord(row.stream().map(CsvWriter::cell));
-            }
+        try {
+            print(text, header, rows);
         } catch (IOException impossible) {
             throw new UncheckedIOException("a StringBuilder takes all text", impossible);
         }
         return text.toString();
+    }
+
+    private static void print(Appendable out, List<String> header, Iterable<? extends List<?>> rows)
+            throws IOException {
+        CSVPrinter printer = new CSVPrinter(out, FORMAT);
+        printer.printRecord(header);
+        for (List<?> row : rows) {
+            printer.printRecord(row.stream().map(CsvWriter::cell));
+        }
+        printer.flush();
     }
 
     private static Object cell(Object value) {
@@ -75,12 +84,12 @@ public final class CsvWriter {
     }
 
     /**
-     * Writes a table of arbitrary cells to {@code file} atomically.
+     * Writes a table of arbitrary cells to {@code file} atomically, row by row, without a copy of the table in memory.
      *
      * @throws OutputException if the file cannot be written
      */
-    public static void write(Path file, List<String> header, List<? extends List<?>> rows) {
-        AtomicFile.write(file, format(header, rows));
+    public static void write(Path file, List<String> header, Iterable<? extends List<?>> rows) {
+        AtomicFile.write(file, out -> print(new OutputStreamWriter(out, StandardCharsets.UTF_8), header, rows));
     }
 
     /** Formats a cell: {@code Double.toString} of {@code value} rounded to {@code digits} significant digits. */

@@ -9,8 +9,8 @@ import org.phrenic.simulation.observe.Observation;
 
 /** The rows of observables that a run keeps until it writes them at its end. */
 final class ObservableRows {
-    /** Each value is kept twice, in its row and in its column; a row takes some objects besides. */
-    private static final long BYTES_A_ROW = 2L * Double.BYTES * Observation.COLUMNS.size() + 64;
+    /** A row takes some objects besides its values. It is written without a copy of the others. */
+    private static final long BYTES_A_ROW = (long) Double.BYTES * Observation.COLUMNS.size() + 64;
     /** Share of Java's memory that they may take, beside the scene. */
     private static final double SHARE_OF_MEMORY = 0.8;
 

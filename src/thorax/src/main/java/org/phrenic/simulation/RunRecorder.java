@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.CsvWriter;
@@ -220,14 +221,9 @@ final class RunRecorder {
             return;
         }
         replacing(this::replaceEarlierResults);
-        Map<String, double[]> columns = new LinkedHashMap<>();
-        for (int c = 0; c < Observation.COLUMNS.size(); c++) {
-            int column = c;
-            columns.put(
-                    Observation.COLUMNS.get(c),
-                    samples.stream().mapToDouble(o -> o.values()[column]).toArray());
-        }
-        CsvWriter.write(out.resolve("observables.csv"), columns, CsvWriter.ALL_DIGITS);
+        CsvWriter.write(out.resolve("observables.csv"), Observation.COLUMNS, () -> samples.stream()
+                .<List<?>>map(o -> DoubleStream.of(o.values()).boxed().toList())
+                .iterator());
         YamlWriter.write(out.resolve("scenario.yaml"), scenario.toMap());
         Map<String, Object> all = new LinkedHashMap<>(summary);
         all.put("made_by", provenance());

@@ -4,12 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -100,6 +105,29 @@ class CsvTest {
         } finally {
             Locale.setDefault(before);
         }
+    }
+
+    /** For a long table to need no more memory than a row. */
+    @Test
+    void theFirstRowsAreWrittenBeforeTheLastIsAskedFor() throws IOException {
+        Path file = folder.resolve("long.csv");
+        int last = 20_000;
+        List<Long> written = new ArrayList<>();
+        IntFunction<List<?>> row = i -> {
+            if (i == last) {
+                written.add(folder.resolve(".long.csv.part0").toFile().length());
+            }
+            return List.of(i / 7.0, Double.NaN);
+        };
+        List<String> header = List.of("a", "b");
+        CsvWriter.write(file, header, () -> IntStream.rangeClosed(0, last)
+                .<List<?>>mapToObj(row)
+                .iterator());
+        assertThat(Files.readString(file))
+                .isEqualTo(CsvWriter.format(
+                        header,
+                        IntStream.rangeClosed(0, last).<List<?>>mapToObj(row).toList()));
+        assertThat(written.get(0)).isGreaterThan(100_000);
     }
 
     @Test

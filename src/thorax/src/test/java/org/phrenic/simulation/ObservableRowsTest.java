@@ -16,10 +16,10 @@ class ObservableRowsTest {
     @ParameterizedTest
     @ValueSource(strings = {"duration_s=86400", "steps=69120000"})
     void aRunWhoseRowsDoNotFitIsRefusedBeforeItBegins(String length) {
-        Scenario day = Scenario.defaults().with(length);
+        Scenario day = Scenario.defaults().with(length).with("record_every_s=0.01");
         assertThatExceptionOfType(BadInputException.class)
                 .isThrownBy(() -> ObservableRows.require(day, TWO_GB))
-                .withMessage("record_every_s: found 0.02 s, with 4320001 rows of observables, expected no more than fit"
+                .withMessage("record_every_s: found 0.01 s, with 8640001 rows of observables, expected no more than fit"
                         + " into Java's memory of 2048 MB (java -Xmx8g gives it 8 GB)");
         assertThatCode(() -> ObservableRows.require(day, 4 * TWO_GB)).doesNotThrowAnyException();
         assertThatCode(() -> ObservableRows.require(day.with("record_every_s=0.1"), TWO_GB))
