@@ -52,8 +52,8 @@ public final class MovingAnatomy {
         liver = require(find(StructureKind.LIVER), "liver");
         requireMotion(
                 StructureKind.LIVER,
-                "a liver that stands still (liver: false), expected one that moves with the breath (liver: true, in the"
-                        + " window Tune breathing > Forces > Liver)");
+                "a liver that stands still (liver: false, or too far below the diaphragm), expected one that moves with"
+                        + " the breath (liver: true, in the window Tune breathing > Forces > Liver)");
         requireMotion(
                 StructureKind.LUNG,
                 "lungs that stand still (lungs: off), expected some that move with the breath (lungs: embedded, in the"

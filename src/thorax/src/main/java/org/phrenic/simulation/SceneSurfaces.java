@@ -107,7 +107,8 @@ public final class SceneSurfaces {
                     (time, at) -> lungs.positions(lung, time, scene.restPositions(), at));
             carryOrgans(places.size() - 1);
         }
-        liver.ifPresent(part -> yielding(part.structure, false, (time, at) -> carriers.liver()));
+        liver.filter(LiverPart::isCarried)
+                .ifPresent(part -> yielding(part.structure, false, (time, at) -> carriers.liver()));
         addOthers(scene.thorax().structures());
         addOthers(organs);
     }

@@ -184,8 +184,12 @@ public final class LiverPart {
 
     /**
      * Distributes a mass over the diaphragm nodes in contact by area, adding to the mass that each scene node carries.
+     * A liver that is not carried hangs from none.
      */
     public void hang(double mass, double[] carried) {
+        if (!isCarried()) {
+            return;
+        }
         double all = Arrays.stream(area).sum();
         for (int k = 0; k < roofNodes.length; k++) {
             carried[roofNodes[k] / 3] += mass * area[k] / all;

@@ -51,6 +51,9 @@ class LiverPartTest {
             assertThat(at).as("%s mm", middle).doesNotContain(Double.NaN);
             boolean still = Arrays.equals(at, low.structure.mesh().positions());
             assertThat(low.isCarried()).as("%s mm", middle).isEqualTo(!still);
+            double[] grams = new double[sheet.vertexCount()];
+            low.hang(150, grams);
+            assertThat(Arrays.stream(grams).sum()).as("%s mm", middle).isCloseTo(still ? 0 : 150, within(ROUNDING));
             carried = still ? carried : middle;
             left = still ? middle : left;
         }

@@ -12,8 +12,11 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Runs;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
 
 class UnknownObservablesTest {
     private static final Scenario SHEET_ALONE =
@@ -41,17 +44,35 @@ class UnknownObservablesTest {
     /** As with ascites: the roof of the liver lies too far below the sheet to be carried by it. */
     @Test
     void theMotionOfALiverThatNothingCarriesIsUnknown() {
-        Thorax whole = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
         for (double lowered : new double[] {0, 60}) {
-            Thorax body = new Thorax(
-                    "ascites",
-                    whole.structures().stream()
-                            .map(s -> s.kind() == StructureKind.LIVER ? lowered(s, lowered) : s)
-                            .toList(),
-                    List.of());
-            Set<String> unknown = UnknownObservables.of(Runs.assembled(SHEET_ALONE.with("liver=true"), body));
-            assertThat(unknown.containsAll(List.of(OF_LIVER))).isEqualTo(lowered > 0);
+            Scene scene = Runs.assembled(SHEET_ALONE.with("liver=true"), withLiverLowered(lowered));
+            assertThat(UnknownObservables.of(scene).containsAll(List.of(OF_LIVER)))
+                    .isEqualTo(lowered > 0);
         }
+    }
+
+    /** As one that is switched off; needle paths are not judged on it. */
+    @Test
+    void aLiverThatNothingCarriesStandsStill() {
+        for (double lowered : new double[] {0, 60}) {
+            Scenario scenario = SHEET_ALONE.with("liver=true");
+            try (Simulation simulation = Simulation.of(scenario, withLiverLowered(lowered))) {
+                assertThat(new SceneSurfaces(simulation).surfaces())
+                        .filteredOn(s -> s.kind() == StructureKind.LIVER)
+                        .extracting(Surface::motion)
+                        .containsExactly(lowered > 0 ? Surface.Motion.STILL : Surface.Motion.DEFORMING);
+            }
+        }
+    }
+
+    private static Thorax withLiverLowered(double mm) {
+        Thorax whole = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        return new Thorax(
+                "ascites",
+                whole.structures().stream()
+                        .map(s -> s.kind() == StructureKind.LIVER ? lowered(s, mm) : s)
+                        .toList(),
+                List.of());
     }
 
     private static Structure lowered(Structure s, double mm) {
