@@ -54,8 +54,8 @@ public final class BreathDock extends SessionDock {
     private final JLabel trace = new JLabel("Breath by preset");
     private final JLabel traceDescription = Controls.secondaryLabel("");
     private transient Optional<Path> describedTrace = Optional.empty();
-    /** A recording of hours takes seconds to read. */
-    private final transient LatestTask reading = new LatestTask();
+    /** Whether the trace may have been written anew since it was described. */
+    private boolean describeAnew;
 
     private final transient LatestTask describing = new LatestTask();
     private final JButton removeTrace =
@@ -121,6 +121,7 @@ public final class BreathDock extends SessionDock {
 
     /** Changes the breathing preset; rate, inspiratory fraction and chest share go to those of the preset. */
     public void selectPreset(String name) {
+        session.opening().drop();
         Scenario scenario = session.userScenario();
         if (isBreathOf(scenario, name) && !scenario.hold()) {
             return;
@@ -161,20 +162,21 @@ public final class BreathDock extends SessionDock {
     /** Breathes by a recorded trace; a file that is none is refused with a message. */
     void openTrace(Path file) {
         String place = file.toAbsolutePath().toString();
-        reading.execute(
-                () -> Assignment.read("window", Breathing.TRACE.key(), place),
-                read -> {
-                    // A file that is chosen again may have been written anew.
-                    describedTrace = Optional.empty();
-                    session.change("Breath recorded in " + file.getFileName(), read);
-                },
-                session::refuse);
+        // A recording of hours takes seconds to read; what is chosen meanwhile counts.
+        session.opening()
+                .execute(
+                        () -> Assignment.read("window", Breathing.TRACE.key(), place),
+                        read -> {
+                            describeAnew = true;
+                            session.change("Breath recorded in " + file.getFileName(), read);
+                        },
+                        session::refuse);
     }
 
     @Override
     public void onScene(LiveScene scene) {
         // It has read its recording anew.
-        describedTrace = Optional.empty();
+        describeAnew = true;
         super.onScene(scene);
     }
 
@@ -203,9 +205,10 @@ public final class BreathDock extends SessionDock {
         rows.stream()
                 .filter(row -> REPLACED_BY_TRACE.stream().anyMatch(parameter -> row.isFor(parameter.key())))
                 .forEach(row -> row.setUnused(reason));
-        if (file.equals(describedTrace)) {
+        if (!describeAnew && file.equals(describedTrace)) {
             return;
         }
+        describeAnew = false;
         describedTrace = file;
         describing.execute(
                 () -> Breathing.traceDescription(scenario).orElse(""), this::showDescription, this::showDescription);

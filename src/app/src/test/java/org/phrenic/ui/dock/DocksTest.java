@@ -736,10 +736,35 @@ class DocksTest {
         Files.writeString(file, csv.substring(0, csv.indexOf("12.1,")));
         EventThread.run(() -> dock.openTrace(file));
         awaitDescription(dock, "3 breaths");
-        EventThread.run(() -> session.edits().undo());
-        EventThread.run(() -> session.edits().undo());
+        // As another scenario does, whose scene is told before its values.
+        EventThread.run(() -> {
+            session.edits().undo();
+            session.edits().undo();
+            dock.onScene(session.scene().orElseThrow());
+        });
         EventThread.until(
                 "the rate is back", () -> dock.row(Breathing.RATE).slider().isEnabled());
+        EventThread.until(
+                "nothing is said of a trace", () -> !dock.traceDescription().isVisible());
+    }
+
+    /** A recording of hours takes seconds to read. */
+    @Test
+    void aPresetThatIsChosenWhileATraceIsReadStays(@TempDir Path folder) throws Exception {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i <= 20_000; i++) {
+            csv.append(i / 10.0).append(',').append(-Math.cos(Math.PI * i / 20)).append('\n');
+        }
+        Path file = Files.writeString(folder.resolve("long.csv"), csv);
+        BreathDock dock = on(() -> new BreathDock(session));
+        EventThread.run(() -> {
+            dock.openTrace(file);
+            dock.selectPreset("deep");
+        });
+        Assignment.read("test", Breathing.TRACE.key(), file.toString());
+        breathe(1);
+        assertThat(on(() -> session.scenario().trace())).isEmpty();
+        assertThat(on(() -> session.scenario().preset())).isEqualTo("deep");
     }
 
     /** Of the file as it is now. */
