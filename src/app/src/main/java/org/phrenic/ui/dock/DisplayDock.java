@@ -1,7 +1,5 @@
 package org.phrenic.ui.dock;
 
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
@@ -37,6 +35,7 @@ import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
 import org.phrenic.ui.widget.ScrollablePanel;
+import org.phrenic.ui.widget.TypedText;
 
 /**
  * What else is shown: overlays of the model, the rest shape, a field as colours, a clip plane, order-independent
@@ -186,15 +185,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         structure.addActionListener(e -> applyColours());
         field.addActionListener(e -> onFieldSelected());
         for (JTextField end : List.of(minimum, maximum)) {
-            end.addActionListener(e -> applyRange());
-            end.addFocusListener(new FocusAdapter() {
-                @Override
-                public void focusLost(FocusEvent e) {
-                    if (!e.isTemporary()) {
-                        applyRange();
-                    }
-                }
-            });
+            TypedText.onTaken(end, this::applyRange);
         }
         JPanel range = new JPanel(new MigLayout("insets 0, gap 4", "[][grow, fill, 30::]0[]4[grow, fill, 30::][]", ""));
         range.add(new JLabel("Range"));

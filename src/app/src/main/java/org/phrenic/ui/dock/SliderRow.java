@@ -21,6 +21,7 @@ import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.RateLimiter;
 import org.phrenic.ui.widget.SliderScale;
+import org.phrenic.ui.widget.TypedText;
 
 /**
  * A number: slider, text field, unit, and a button that resets it. A value typed out of range is set to the end of the
@@ -34,10 +35,10 @@ final class SliderRow extends SettingRow {
     private final String unit;
     private final transient SliderScale scale;
     private final JSlider slider = Controls.slider(0, SliderScale.POSITIONS, 0);
-    private final JTextField field = new JTextField();
     private final JButton reset;
     private final transient RateLimiter rateLimiter = new RateLimiter(this::send, System::nanoTime);
     private double value = Double.NaN;
+    private final JTextField field = new JTextField(NumberFormats.format(value));
     private double sentValue = Double.NaN;
     private double defaultValue = Double.NaN;
     private boolean updating;
@@ -58,19 +59,11 @@ final class SliderRow extends SettingRow {
         slider.setMajorTickSpacing(PAGE);
         slider.addChangeListener(e -> onSlide());
         field.setHorizontalAlignment(SwingConstants.RIGHT);
-        field.addActionListener(e -> onTyped());
+        TypedText.onTaken(field, this::onTyped);
         field.addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent e) {
                 field.selectAll();
-            }
-
-            @Override
-            public void focusLost(FocusEvent e) {
-                // Another window is looked at, in the midst of a number perhaps.
-                if (!e.isTemporary()) {
-                    onTyped();
-                }
             }
         });
         field.putClientProperty("JComponent.minimumWidth", 0);
@@ -97,8 +90,13 @@ final class SliderRow extends SettingRow {
         }
     }
 
+    /** Whether a number is typed that is not taken yet. */
+    private boolean isTyped() {
+        return !field.getText().equals(NumberFormats.format(value));
+    }
+
     private void onTyped() {
-        if (field.getText().equals(NumberFormats.format(value))) {
+        if (!isTyped()) {
             return;
         }
         OptionalDouble number = NumberFormats.parse(field.getText(), unit);
@@ -176,9 +174,7 @@ final class SliderRow extends SettingRow {
         String standard = NumberFormats.withUnit(defaultValue, unit);
         reset.setToolTipText("Reset to " + standard);
         setDetails(range() + ", default " + standard + "; key " + setting.key(), slider, field);
-        boolean unfinished = slider.getValueIsAdjusting()
-                || rateLimiter.isPending()
-                || (field.hasFocus() && !field.getText().equals(NumberFormats.format(value)));
+        boolean unfinished = slider.getValueIsAdjusting() || rateLimiter.isPending() || isTyped();
         if (!unfinished) {
             sentValue = scenario.get(setting);
             if (sentValue != value) {

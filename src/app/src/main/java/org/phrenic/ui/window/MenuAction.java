@@ -16,6 +16,7 @@ import javax.swing.JList;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
+import org.phrenic.ui.widget.TypedText;
 
 /** An action with a menu item, perhaps an accelerator key and a button of the tool bar. */
 final class MenuAction extends AbstractAction {
@@ -92,11 +93,10 @@ final class MenuAction extends AbstractAction {
 
     @Override
     public void actionPerformed(ActionEvent e) {
-        boolean typed = EventQueue.getCurrentEvent() instanceof KeyEvent key
-                && isTyped(
-                        key,
-                        KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner());
+        KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        boolean typed = EventQueue.getCurrentEvent() instanceof KeyEvent key && isTyped(key, focus.getFocusOwner());
         if (!typed) {
+            TypedText.take(focus.getPermanentFocusOwner());
             operation.run();
         }
     }

@@ -29,6 +29,7 @@ import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.Theme;
 import org.phrenic.ui.widget.ThemeUpdater;
+import org.phrenic.ui.widget.TypedText;
 
 /** The window: the 3D view, menus, tool bar, docks and status bar. Made and used on the event dispatch thread. */
 public final class PhrenicWindow {
@@ -164,6 +165,7 @@ public final class PhrenicWindow {
 
     /** Closes the window; where that loses something, it is asked first. */
     void quit() {
+        TypedText.take(frame.getMostRecentFocusOwner());
         quit.quit();
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.data.Percentage.withPercentage;
 
+import java.awt.Component;
 import java.awt.Container;
 import java.awt.Paint;
 import java.awt.event.FocusEvent;
@@ -78,6 +79,7 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.widget.SliderScale;
 import org.phrenic.ui.widget.Theme;
+import org.phrenic.ui.widget.TypedText;
 import org.phrenic.ui.window.WindowHarness;
 
 /**
@@ -948,10 +950,10 @@ class DocksTest {
         return foremost;
     }
 
-    /** @param temporary whether another window is looked at and the field is the same afterwards */
-    private static void loseFocus(JTextField field, boolean temporary) {
+    /** @param temporary whether the field has the focus again afterwards, as when another window was looked at */
+    private static void loseFocus(JTextField field, boolean temporary, Component to) {
         for (FocusListener listener : field.getFocusListeners()) {
-            listener.focusLost(new FocusEvent(field, FocusEvent.FOCUS_LOST, temporary));
+            listener.focusLost(new FocusEvent(field, FocusEvent.FOCUS_LOST, temporary, to));
         }
     }
 
@@ -962,11 +964,29 @@ class DocksTest {
             JTextField field = dock.row(Breathing.DEPTH).field();
             double before = session.scenario().get(Breathing.DEPTH);
             field.setText("0.7");
-            loseFocus(field, true);
+            loseFocus(field, true, null);
+            dock.onChange();
             assertThat(session.scenario().get(Breathing.DEPTH)).isEqualTo(before);
-            assertThat(field.getText()).isEqualTo("0.7");
-            loseFocus(field, false);
+            assertThat(field.getText()).as("whatever changes meanwhile").isEqualTo("0.7");
+            loseFocus(field, false, null);
             assertThat(session.scenario().get(Breathing.DEPTH)).isEqualTo(0.7);
+        });
+    }
+
+    /** Such a menu may save the values, or a key may that leaves the field in focus. */
+    @Test
+    void aNumberIsTakenWhenAMenuOfItsWindowIsOpenedAndBeforeACommand() {
+        BreathDock dock = on(() -> new BreathDock(session));
+        EventThread.run(() -> {
+            JTextField field = dock.row(Breathing.DEPTH).field();
+            field.setText("0.7");
+            loseFocus(field, true, dock);
+            assertThat(session.scenario().get(Breathing.DEPTH)).isEqualTo(0.7);
+            field.setText("0.8");
+            TypedText.take(field);
+            assertThat(session.scenario().get(Breathing.DEPTH)).isEqualTo(0.8);
+            TypedText.take(dock);
+            TypedText.take(null);
         });
     }
 
@@ -979,10 +999,10 @@ class DocksTest {
         EventThread.run(() -> {
             colours(dock).setSelectedIndex(1);
             end.setText("1");
-            loseFocus(end, true);
+            loseFocus(end, true, null);
             assertThat(looks.style().scale().max()).as("in the midst of it").isNotEqualTo(1);
             end.setText("12,5 mm");
-            loseFocus(end, false);
+            loseFocus(end, false, null);
         });
         assertThat(looks.style().scale().max()).isEqualTo(12.5);
     }
