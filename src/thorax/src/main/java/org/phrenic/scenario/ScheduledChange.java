@@ -12,6 +12,8 @@ import org.phrenic.file.Numbers;
  * @param assignment setting and new value
  */
 public record ScheduledChange(long step, Assignment assignment) {
+    /** Origin of an assignment that changes nothing and notes that a run goes on from a step. */
+    public static final String GOING_ON = "go on";
 
     /**
      * Parses {@code STEP:key=value}, as in {@code --change}.
@@ -41,6 +43,11 @@ public record ScheduledChange(long step, Assignment assignment) {
         String key = text.substring(colon + 1, equals).strip();
         return new ScheduledChange(
                 step, Assignment.read(origin, key, text.substring(equals + 1).strip(), folder));
+    }
+
+    /** Whether it changes nothing and notes that a run goes on from its step. */
+    public boolean isOnlyGoingOn() {
+        return GOING_ON.equals(assignment.origin());
     }
 
     /** The change as text, as in scenario files and on the command line. */

@@ -34,8 +34,6 @@ import org.phrenic.scenario.ScheduledChange;
  */
 final class LiveTuning {
     private static final String UNDO = "undo";
-    /** Origin of an assignment that changes nothing but where a run goes on from. */
-    private static final String GO_ON = "go on";
     /** Changes of the same settings in shorter intervals are one, such as the drag of a slider, s. */
     private static final double SAME_DRAG_S = 1;
 
@@ -184,8 +182,7 @@ final class LiveTuning {
      * to the start. Empty if there is nothing to undo.
      */
     List<Assignment> undoAssignments() {
-        boolean again = log.stream()
-                .filter(c -> !isOnlyGoingOn(c))
+        boolean again = made().stream()
                 .reduce((first, second) -> second)
                 .map(c -> UNDO.equals(c.assignment().origin()))
                 .orElse(false);
@@ -200,7 +197,7 @@ final class LiveTuning {
                 .filter(c -> c.step() < cut)
                 .map(ScheduledChange::assignment)
                 .toList());
-        return log.stream()
+        return made().stream()
                 .filter(c -> c.step() >= cut)
                 .map(c -> c.assignment().setting())
                 .distinct()
@@ -211,17 +208,17 @@ final class LiveTuning {
     /** What notes that a run goes on from here, where no change does; empty where one does. */
     List<Assignment> goingOn() {
         boolean changed = log.stream().anyMatch(c -> c.step() == stepper.steps());
-        return changed ? List.of() : List.of(Assignment.of(GO_ON, Breathing.HOLD, settings.hold()));
+        return changed ? List.of() : List.of(Assignment.of(ScheduledChange.GOING_ON, Breathing.HOLD, settings.hold()));
     }
 
-    private static boolean isOnlyGoingOn(ScheduledChange change) {
-        return GO_ON.equals(change.assignment().origin());
+    /** The changes, without those that only note where the run goes on. */
+    private List<ScheduledChange> made() {
+        return log.stream().filter(c -> !c.isOnlyGoingOn()).toList();
     }
 
     /** The last step before a step that has changes; -1 if none has. */
     private long lastChangedStep(long before) {
-        return log.stream()
-                .filter(c -> !isOnlyGoingOn(c))
+        return made().stream()
                 .mapToLong(ScheduledChange::step)
                 .filter(step -> step < before)
                 .max()
@@ -242,7 +239,7 @@ final class LiveTuning {
     }
 
     private Set<Setting<?>> changedAt(long step) {
-        return log.stream()
+        return made().stream()
                 .filter(c -> c.step() == step && !UNDO.equals(c.assignment().origin()))
                 .map(c -> c.assignment().setting())
                 .collect(Collectors.toSet());

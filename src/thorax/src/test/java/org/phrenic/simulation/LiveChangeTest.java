@@ -389,9 +389,16 @@ class LiveChangeTest {
             for (String stiffness : List.of("290", "250", "200")) {
                 simulation.change(Assignment.parse("muscle_stiffness_n_per_m=" + stiffness));
                 steps(simulation, 3);
+                // As after a divergence, where the next value comes at the same step.
+                simulation.goOn();
             }
+            steps(simulation, 3);
             assertThat(simulation.undoLastChange()).isTrue();
             assertThat(simulation.settings()).isEqualTo(start.with("depth=2"));
+            assertThat(simulation.changes())
+                    .filteredOn(c -> c.step() == simulation.steps())
+                    .extracting(c -> c.assignment().key())
+                    .containsExactly("muscle_stiffness_n_per_m");
             // Long after a change another of the same setting is one of its own.
             simulation.change(Assignment.parse("depth=1.5"));
             steps(simulation, (int) Math.ceil(1 / simulation.stepper().dt()));

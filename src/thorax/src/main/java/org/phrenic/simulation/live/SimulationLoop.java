@@ -157,8 +157,8 @@ final class SimulationLoop implements Runnable {
         } catch (DivergenceException e) {
             playing = false;
             now.rewound();
-            List<ScheduledChange> made = now.simulation.changes();
-            divergence = Optional.of(made);
+            divergence = Optional.of(now.simulation.changes());
+            List<ScheduledChange> made = madeIn(now.simulation);
             String last = made.isEmpty()
                     ? ""
                     : "; the last change was "
@@ -170,6 +170,10 @@ final class SimulationLoop implements Runnable {
             playing = false;
             reportFailure(e);
         }
+    }
+
+    private static List<ScheduledChange> madeIn(Simulation simulation) {
+        return simulation.changes().stream().filter(c -> !c.isOnlyGoingOn()).toList();
     }
 
     /**
@@ -284,7 +288,7 @@ final class SimulationLoop implements Runnable {
         }
         Simulation simulation = running.simulation;
         if (simulation.changes().equals(divergence.get()) && simulation.undoLastChange()) {
-            List<ScheduledChange> made = simulation.changes();
+            List<ScheduledChange> made = madeIn(simulation);
             long undone = made.get(made.size() - 1).step();
             listener.restored(made.stream()
                     .filter(change -> change.step() == undone)
