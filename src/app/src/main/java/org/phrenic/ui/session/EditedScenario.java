@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.Supplier;
 import javax.swing.undo.UndoableEdit;
 import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveRun;
@@ -27,6 +28,8 @@ final class EditedScenario {
     private final Map<UndoableEdit, Pending> loading = new LinkedHashMap<>();
     /** The values before these. */
     private Scenario before;
+    /** Changes made since that take effect without a scene of their own. */
+    private final Map<UndoableEdit, List<Assignment>> whileLoading = new LinkedHashMap<>();
 
     /**
      * What is known of a change whose scene loads.
@@ -83,7 +86,10 @@ final class EditedScenario {
         Runnable undo = () -> setValues(inverse);
         Runnable redo = () -> setValues(assignments);
         if (assignments.stream().allMatch(a -> a.setting().isLive())) {
-            edits.add(name, keys, undo, redo);
+            UndoableEdit edit = edits.add(name, keys, undo, redo);
+            if (!loading.isEmpty()) {
+                whileLoading.put(edit, assignments);
+            }
         } else {
             addLoading(name, keys, now, undo, redo);
         }
@@ -159,6 +165,9 @@ final class EditedScenario {
         if (loading.values().removeIf(change -> change.sceneId <= sceneId)) {
             edits.endMerging();
             running = loading.isEmpty() ? loaded : running;
+            if (loading.isEmpty()) {
+                whileLoading.clear();
+            }
             before =
                     loading.values().stream().findFirst().map(Pending::previous).orElse(before);
         }
@@ -176,6 +185,19 @@ final class EditedScenario {
         Collections.reverse(latestFirst);
         loading.values().removeAll(latestFirst);
         latestFirst.forEach(change -> change.takeBack.run());
-        loaded = loading.isEmpty() ? running : loaded;
+        if (loading.isEmpty()) {
+            loaded = running;
+            forgetUnused();
+        }
+    }
+
+    /** Forgets the changes of what the material that was to be loaded uses, and the one that runs does not. */
+    private void forgetUnused() {
+        whileLoading.forEach((edit, assignments) -> {
+            if (!assignments.stream().allMatch(a -> Materials.isUsed(a.setting(), running.material()))) {
+                edits.retract(edit);
+            }
+        });
+        whileLoading.clear();
     }
 }

@@ -182,6 +182,26 @@ class SessionTest {
         }
     }
 
+    /** Undo of the second change would set what the material that runs has no use for. */
+    @Test
+    void aChangeForAMaterialWhoseLoadingIsCancelledIsForgottenWithIt() {
+        try (Session session = running()) {
+            EventThread.run(() -> {
+                change(session, "depth", "1.5");
+                change(session, "material", "paper");
+                change(session, "muscle_force_mn", "20");
+                change(session, "rib_rotation", "0.9");
+                session.cancelLoading();
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo rib_rotation");
+                session.edits().undo();
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo depth");
+                session.edits().undo();
+                assertThat(session.edits().undoPresentationName()).isEmpty();
+            });
+            EventThread.until("the values", () -> session.scenario().equals(SMALL));
+        }
+    }
+
     /** The scene of a first change runs, which the window is yet to learn, when a second change is made. */
     @Test
     void aCancelledChangeIsForgottenThoughTheSceneOfAnEarlierOneCameMeanwhile() {
