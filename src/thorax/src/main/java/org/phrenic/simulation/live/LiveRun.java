@@ -161,9 +161,7 @@ public final class LiveRun implements AutoCloseable {
      *     nothing has changed
      */
     public void change(List<Assignment> assignments) {
-        if (settings.request(assignments)) {
-            loads.loadCurrent();
-        } else {
+        if (!loads.change(assignments)) {
             loop.commands.wake();
         }
         listener.changed();

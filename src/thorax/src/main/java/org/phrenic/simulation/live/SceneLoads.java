@@ -1,6 +1,8 @@
 package org.phrenic.simulation.live;
 
+import java.util.List;
 import java.util.function.Function;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
 /**
@@ -24,6 +26,20 @@ final class SceneLoads {
     /** Loads a scenario. Cancels a load in progress. */
     void load(Scenario scenario) {
         load(requested -> requested.beginLoading(scenario));
+    }
+
+    /**
+     * Requests changes, and loads a scene with them unless all are live; no other load ends in between, after which the
+     * settings would be those of the running scene again.
+     *
+     * @return whether a scene loads
+     */
+    synchronized boolean change(List<Assignment> assignments) {
+        boolean loads = settings.request(assignments);
+        if (loads) {
+            loadCurrent();
+        }
+        return loads;
     }
 
     /** Loads the settings that are requested at this moment. */
