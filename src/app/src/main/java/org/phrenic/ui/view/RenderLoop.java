@@ -66,13 +66,10 @@ public final class RenderLoop implements AutoCloseable {
         void onUnavailable(String sentence);
     }
 
-    private static final long POLL_NS = 5_000_000;
     /** Time after the last frame from which a coarse one is drawn again, ns. */
     private static final long AT_REST_NS = 300_000_000;
 
     private static final int PREPARED_PIXELS = 64;
-    /** Number of failed frames and tasks, with no successful one between, that ends the view. */
-    private static final int MAX_FAILURES = 20;
 
     private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
 
@@ -188,7 +185,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void loop(OffscreenContext gl) {
-        int failures = 0;
+        DrawingFailures failures = new DrawingFailures();
         while (true) {
             Request wanted;
             long now;
@@ -206,17 +203,20 @@ public final class RenderLoop implements AutoCloseable {
             boolean busy = false;
             try {
                 busy = turn(gl, wanted, now);
-                failures = busy ? 0 : failures;
+                if (busy) {
+                    failures.end();
+                }
             } catch (RuntimeException | OutOfMemoryError e) {
-                // A frame or a task that fails does not end the view, nor does a lack of memory for some seconds. With
-                // a lost context each of them fails; turns between them, in which nothing is to be drawn, do not.
-                if (++failures == MAX_FAILURES) {
+                // A frame or a task that fails does not end the view.
+                if (failures.add(now + tasks.begun())) {
+                    LOG.log(System.Logger.Level.WARNING, "A frame was not drawn", e);
+                }
+                if (failures.areTooMany()) {
                     throw e;
                 }
-                LOG.log(System.Logger.Level.WARNING, "A frame was not drawn", e);
             }
-            long rest = POLL_NS * (1 + 4 * failures);
-            LockSupport.parkNanos(busy ? Math.max(0, pace.intervalNs() - (System.nanoTime() - begun)) : rest);
+            LockSupport.parkNanos(
+                    busy ? Math.max(0, pace.intervalNs() - (System.nanoTime() - begun)) : failures.restNs());
         }
     }
 
@@ -311,8 +311,8 @@ public final class RenderLoop implements AutoCloseable {
             wanted.reference().ifPresent(from -> distances.colour(renderer, scene.id(), frame, from, wanted.style()));
         }
         if (!wanted.accessColours().equals(shownAccess)) {
+            wanted.accessColours().ifPresent(field -> field.upload(renderer));
             shownAccess = wanted.accessColours();
-            shownAccess.ifPresent(field -> field.upload(renderer));
         }
         boolean card = !gl.info().software();
         drawnSharp = sharpen || card;

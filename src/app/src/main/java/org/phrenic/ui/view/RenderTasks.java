@@ -10,6 +10,7 @@ import org.phrenic.scene.gl.OffscreenContext;
 /** Tasks for the render thread, in their order. Thread-safe. */
 final class RenderTasks {
     private final Queue<Task> waiting = new ArrayDeque<>();
+    private long begun;
     private boolean ended;
 
     /**
@@ -34,11 +35,17 @@ final class RenderTasks {
         return !waiting.isEmpty();
     }
 
+    /** Number of tasks that were begun. */
+    synchronized long begun() {
+        return begun;
+    }
+
     /** Takes the first task, which waits, and runs it. */
     void runNext(OffscreenContext gl) {
         Task next;
         synchronized (this) {
             next = waiting.remove();
+            begun++;
         }
         next.what.accept(gl);
     }

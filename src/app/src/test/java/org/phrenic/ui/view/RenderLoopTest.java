@@ -12,6 +12,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
@@ -200,16 +202,17 @@ class RenderLoopTest {
         }
     }
 
-    /** As without memory for its buffers: nothing else asks for it in a pause. */
-    @Test
-    void aPictureThatFailsIsDrawnAgain() throws Exception {
+    /** As without memory for its buffers: nothing else asks for it in a pause, which may be long. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 21})
+    void aPictureThatFailsIsDrawnAgain(int failures) throws Exception {
         Scenario small = Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1");
         FirstPicture first = new FirstPicture();
         AtomicInteger attempts = new AtomicInteger();
         try (Session session = new Session(small)) {
             RenderLoop loop = new RenderLoop(session.live(), Optional::empty, first);
             loop.setMarkSource(() -> {
-                if (attempts.getAndIncrement() == 0) {
+                if (attempts.getAndIncrement() < failures) {
                     throw new OutOfMemoryError("buffer");
                 }
                 return Optional.empty();
