@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -19,9 +20,10 @@ import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Whether labels lie where their structures lie in people: right ribs and lung to the right of the left ones, ribs and
- * vertebrae in descending order, lungs above the liver, upper lobes above lower ones, liver to the right of the spleen
- * and in front of great vessels, sternum and organs in front of the spine. Ribs are compared where both lie in one
- * sector about the body's axis: of ribs that the scan cuts off, middles tell nothing.
+ * vertebrae in descending order, lungs above the liver, upper lobes above lower ones, organs of the upper abdomen
+ * between T7 and L4, liver to the right of the spleen and in front of great vessels, sternum and organs in front of the
+ * spine, of trachea and oesophagus. Ribs are compared where both lie in one sector about the body's axis: of ribs that
+ * the scan cuts off, middles tell nothing.
  */
 final class LabelPlaces {
     /** Least number of voxels of a sector that counts, over that of the fullest one: the rest may be specks. */
@@ -38,6 +40,16 @@ final class LabelPlaces {
     private static final List<String> BEHIND_LIVER = List.of("aorta", "inferior_vena_cava", "organ_kidneys");
     private static final List<String> IN_FRONT_OF_SPINE =
             List.of("sternum", "sternum_manubrium", "sternum_body", "heart", "liver", "stomach");
+    private static final List<String> AT_FRONT =
+            List.of("sternum", "sternum_manubrium", "sternum_body", "costal_cartilages", "heart");
+    private static final List<String> BEHIND_FRONT = List.of("trachea", "oesophagus", "aorta");
+
+    /** Organs whose middles, or those of what a scan shows of them, lie below T7 and above L4. */
+    private static final List<String> UPPER_ABDOMEN =
+            List.of("liver", "spleen", "pancreas", "adrenal_gland_R", "adrenal_gland_L");
+
+    private static final int T7 = 7;
+    private static final int L4 = StructureName.FIRST_LUMBAR + 3;
 
     private final Map<String, double[]> centres = new TreeMap<>();
     /** Of each rib the sum of heights (mm) and the number of voxels in each sector. */
@@ -131,9 +143,13 @@ final class LabelPlaces {
     private void compare() {
         List<StructureName> names = new ArrayList<>();
         List<String> structures = new ArrayList<>();
+        NavigableMap<Integer, String> vertebrae = new TreeMap<>();
         centres.keySet().forEach(structure -> StructureName.parse(structure).ifPresent(name -> {
             structures.add(structure);
             names.add(name);
+            if (name.kind() == StructureKind.VERTEBRA) {
+                vertebrae.put(name.level(), structure);
+            }
         }));
         for (int a = 0; a < names.size(); a++) {
             for (int b = 0; b < names.size(); b++) {
@@ -157,6 +173,11 @@ final class LabelPlaces {
         expect("gallbladder", "spleen", 0);
         expect("urinary_bladder", "heart", 2);
         expect("urinary_bladder", "liver", 2);
+        AT_FRONT.forEach(front -> BEHIND_FRONT.forEach(behind -> expect(front, behind, 1)));
+        Optional.ofNullable(vertebrae.floorEntry(T7))
+                .ifPresent(above -> UPPER_ABDOMEN.forEach(organ -> expect(organ, above.getValue(), 2)));
+        Optional.ofNullable(vertebrae.ceilingEntry(L4))
+                .ifPresent(below -> UPPER_ABDOMEN.forEach(organ -> expect(below.getValue(), organ, 2)));
         spine().ifPresent(spine -> IN_FRONT_OF_SPINE.stream()
                 .map(centres::get)
                 .filter(Objects::nonNull)

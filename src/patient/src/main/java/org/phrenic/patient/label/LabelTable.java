@@ -124,7 +124,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         if (!named.isEmpty()) {
             return new LabelTable(named).withRest(volume);
         }
-        NumberMatch match = NumberMatch.best(NumberMatch.positions(volume.grid()), tables);
+        NumberMatch match = NumberMatch.version(NumberMatch.positions(volume.grid()), tables);
         LabelTable table = new LabelTable(match.table().structures());
         return match.structures().isEmpty() ? table : table.withRest(volume);
     }
@@ -160,7 +160,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         NumberTable.distinctNames()
                 .forEach(tool -> structures.put(
                         tool,
-                        NumberMatch.best(positions, NumberTable.named(tool)).structures()));
+                        NumberMatch.version(positions, NumberTable.named(tool)).structures()));
         return structures;
     }
 

@@ -75,6 +75,14 @@ record NumberMatch(
         return best.score(stated) > 0 ? best : first(all, StatedAxes::ofNumbers);
     }
 
+    /** The version of a tool that fits a volume best, of those that may be its own if any may. */
+    static NumberMatch version(LabelPositions positions, List<NumberTable> versions) {
+        List<NumberTable> possible = versions.stream()
+                .filter(table -> of(table, positions).isPossible())
+                .toList();
+        return best(positions, possible.isEmpty() ? versions : possible);
+    }
+
     /** The table that fits a volume best in axes that the file does not state; empty if none does so clearly. */
     static Optional<NumberMatch> inOtherAxes(LabelPositions positions, List<NumberTable> tables) {
         NumberMatch best =

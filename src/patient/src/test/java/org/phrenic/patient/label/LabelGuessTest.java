@@ -390,6 +390,22 @@ class LabelGuessTest {
         assertThat(guess.confidence()).isLessThan(1);
     }
 
+    /**
+     * Labels 26 to 35 are S1 to T9 in version 2 of TotalSegmentator and T9 to C7 in version 1, where 10 to 14 are
+     * pancreas, adrenal glands and the left lung.
+     */
+    @Test
+    void theLiverTellsTheVersionOfVertebrae() {
+        LabelVolume trunk =
+                TrunkVoxels.labelled(NumberTable.named("totalsegmentator").get(0));
+        LabelVolume few = relabelled(
+                trunk, label -> label == 21 ? 26 : label == 5 || label == 11 || (label > 26 && label < 36) ? label : 0);
+        assertThat(LabelTable.of("totalsegmentator", few).structures())
+                .containsEntry(5, "liver")
+                .containsEntry(11, "lung_L")
+                .containsEntry(27, "vertebra_L05");
+    }
+
     /** A volume with a voxel of each label in its first slice, so that no organ is whole. */
     private static LabelVolume cutOff(LabelVolume volume) {
         LabelGrid grid = volume.grid();

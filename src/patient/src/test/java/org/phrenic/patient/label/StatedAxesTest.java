@@ -113,6 +113,22 @@ class StatedAxesTest {
                 .contains("LAS");
     }
 
+    /** Without spine and liver, a sternum in front of the oesophagus tells front from back. */
+    @Test
+    void aSternumBehindTheOesophagusContradictsTheFile() {
+        CageVoxels voxels = new CageVoxels();
+        voxels.ball(25, 30, 80, 12, 1);
+        voxels.ball(65, 30, 80, 12, 2);
+        voxels.ball(45, 10, 80, 3, 3);
+        voxels.ball(45, 42, 80, 2, 4);
+        LabelTable table = new LabelTable(Map.of(1, "lung_R", 2, "lung_L", 3, "sternum", 4, "oesophagus"));
+        assertThat(StatedAxes.contradicted(voxels.volume(), table, Optional.empty()))
+                .isEmpty();
+        assertThat(StatedAxes.contradicted(GeometryOverride.axes(voxels.volume(), "LAS"), table, Optional.empty()))
+                .map(StatedAxes::seen)
+                .contains("LPS");
+    }
+
     /** Both lungs of the virtual woman under one label. */
     private static LabelVolume lungs(Thorax body) {
         byte[] labels = new byte[LUNG_BOX[0] * LUNG_BOX[1] * LUNG_BOX[2]];
