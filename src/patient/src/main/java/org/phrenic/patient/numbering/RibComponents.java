@@ -149,13 +149,15 @@ final class RibComponents {
             new RibSides(s, ribs).middle().orElse(acrossRibs),
             ribs.stream().mapToDouble(rib -> rib.centre[1]).average().orElse(0)
         };
-        ShortRibs.take(s, ribs, fragments, middle[0], Math.max(MIN_VOXELS, LAST * large));
+        ShortRibs shortest = new ShortRibs(s, ribs, fragments, middle[0]);
+        shortest.take(Math.max(MIN_VOXELS, LAST * large));
         FusedRibs.partByLabels(s, ribs, middle);
         parted = isParted ? FusedRibs.part(s, ribs, middle[0]) : "";
         ribs.forEach(rib -> rib.findAngles(s, middle));
         while (joinTwo(middle[0])) {
             // A part that has grown may lie in line with what its pieces did not.
         }
+        shortest.giveBack();
     }
 
     /**

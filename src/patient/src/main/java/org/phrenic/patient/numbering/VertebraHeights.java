@@ -32,12 +32,11 @@ final class VertebraHeights {
     private static final double HEAD_MM = 60;
 
     /** Least height of two vertebrae under one label over that of their neighbours; one has at most 1.25 of these. */
+    private static final double DOUBLE = 1.6;
     /**
      * Least distance of the vertebrae next to two under one label, in usual ones; 2 about one vertebra, 3 about two.
      */
     private static final double APART = 2.5;
-
-    private static final double DOUBLE = 1.6;
 
     /** Greatest height of a half of a vertebra over that of its neighbours, and least and greatest one of both. */
     private static final double HALF = 0.65;
@@ -142,6 +141,11 @@ final class VertebraHeights {
     /** Usual height of the vertebral end of the rib of a number, mm. */
     double ribEnd(int number) {
         return at(number) - RibDeviations.usual(number) * spacing(number);
+    }
+
+    /** Whether a height is nearer to the usual end of the twelfth rib than to the first lumbar vertebra. */
+    boolean isAboveLumbar(double z) {
+        return z > 0.5 * (ribEnd(RibNumbering.RIBS) + at(StructureName.FIRST_LUMBAR));
     }
 
     /** Distance of the vertebra of a number from the one above it, mm; of the first from the second. */
