@@ -32,9 +32,10 @@ public final class NumberingDoubts {
     private final VertebraHeights height;
 
     private NumberingDoubts(Segmentation s) {
-        ribs = new RibDeviations(s, Specks.none());
-        vertebrae = new VertebraVoxels(s, ribs);
-        height = new VertebraHeights(s);
+        Specks specks = Specks.ofBones(s);
+        ribs = new RibDeviations(s, specks);
+        vertebrae = new VertebraVoxels(s, ribs, specks);
+        height = new VertebraHeights(s, specks);
     }
 
     /** Returns a note on each doubt. To be called when ribs and vertebrae have their last numbers and voxels. */

@@ -55,8 +55,6 @@ final class RibDeviations {
     private static final double MOST_BESIDE_FAULT = 1.45;
     private static final double SCATTER = 0.5;
     private static final double MOST = 0.75;
-    /** Least voxels of a rib over those of the median rib; the shortest ribs 12 have 0.03. */
-    private static final double LEAST_SHARE = 0.02;
 
     private final Segmentation s;
     /** Name of each segment. */
@@ -91,7 +89,7 @@ final class RibDeviations {
         }
         middle = sumX / vertebral;
         int[] sizes = ribs.values().stream().mapToInt(IntList::size).sorted().toArray();
-        leastVoxels = ribs.isEmpty() ? 0 : LEAST_SHARE * sizes[sizes.length / 2];
+        leastVoxels = ribs.isEmpty() ? 0 : Specks.SHARE_OF_RIB * sizes[sizes.length / 2];
     }
 
     /** Whether the volume shows vertebrae and ribs. */
@@ -155,8 +153,8 @@ final class RibDeviations {
     }
 
     /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
-    int slip() {
-        double[] deviation = of(new VertebraHeights(s), FIRST, RibNumbering.RIBS);
+    int slip(VertebraHeights height) {
+        double[] deviation = of(height, FIRST, RibNumbering.RIBS);
         return deviation.length < LEAST_RIBS ? 0 : slip(deviation, LEAST_DEVIATION, MOST_DEVIATION);
     }
 

@@ -60,10 +60,10 @@ final class VertebraHeights {
 
     /**
      * Heights of vertebral bodies: means over the anterior halves of the vertebrae. Those that the scan does not show
-     * are taken to follow at the usual distance.
+     * are taken to follow at the usual distance. Specks are left out.
      */
     VertebraHeights(Segmentation s) {
-        this(s, Specks.none());
+        this(s, Specks.ofBones(s));
     }
 
     /** @param specks voxels that are left out */

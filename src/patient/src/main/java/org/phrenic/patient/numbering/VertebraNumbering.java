@@ -37,14 +37,21 @@ final class VertebraNumbering {
     /** Name of each segment. */
     private final StructureName[] names;
 
-    private final Specks specks;
     private final RibDeviations ribs;
+    private final VertebraHeights height;
+    /** Which segments are shown by more than specks. */
+    private final boolean[] isShown;
 
     private VertebraNumbering(Segmentation s) {
         this.s = s;
         names = names(s);
-        specks = Specks.ofBones(s);
+        Specks specks = Specks.ofBones(s);
         ribs = new RibDeviations(s, specks);
+        height = new VertebraHeights(s, specks);
+        isShown = new boolean[names.length];
+        for (int v = 0; v < s.voxels().length; v++) {
+            isShown[s.segmentAt(v)] |= !specks.contain(v);
+        }
     }
 
     /** Name of each segment, from the background on. */
@@ -80,7 +87,7 @@ final class VertebraNumbering {
         if (parted.isPresent()) {
             return parted;
         }
-        int slip = ribs.slip();
+        int slip = ribs.slip(height);
         if (slip == 0) {
             return Optional.empty();
         }
@@ -110,13 +117,12 @@ final class VertebraNumbering {
      * the scan cuts nothing off, are first ones beside those of number 3.
      */
     private boolean beginsWithSecond() {
-        int[] counts = s.counts();
         boolean hasFirst = IntStream.range(1, names.length)
-                .filter(segment -> counts[segment] > 0 && names[segment].level() <= 1)
+                .filter(segment -> isShown[segment] && names[segment].level() <= 1)
                 .anyMatch(segment ->
                         names[segment].kind() == StructureKind.RIB || names[segment].kind() == StructureKind.VERTEBRA);
         boolean hasNeck =
-                s.names().stream().filter(name -> counts[s.find(name)] > 0).anyMatch(SpineNames::isOfNeck);
+                s.names().stream().filter(name -> isShown[s.find(name)]).anyMatch(SpineNames::isOfNeck);
         return !hasFirst && !hasNeck && Stream.of(Side.RIGHT, Side.LEFT).allMatch(side -> isFirst(2, side));
     }
 
@@ -145,13 +151,12 @@ final class VertebraNumbering {
      * @return a note if it does
      */
     private Optional<String> partDouble() {
-        VertebraHeights height = new VertebraHeights(s, specks);
         for (int level = RibDeviations.FIRST_ABOVE + 1; level <= StructureName.FIRST_LUMBAR; level++) {
             if (height.isDouble(level)) {
-                boolean above = isOff(height, RibDeviations.FIRST_ABOVE, level - 1, 1)
+                boolean above = isOff(RibDeviations.FIRST_ABOVE, level - 1, 1)
                         && ribs.off(height, level + 1, RibNumbering.RIBS) == 0;
                 boolean below = ribs.off(height, RibDeviations.FIRST_ABOVE, level - 1) == 0
-                        && isOff(height, level + 1, RibNumbering.RIBS, -1);
+                        && isOff(level + 1, RibNumbering.RIBS, -1);
                 if (above || below) {
                     return Optional.of(part(SpineNames.place(level), above));
                 }
@@ -160,7 +165,7 @@ final class VertebraNumbering {
         return Optional.empty();
     }
 
-    private boolean isOff(VertebraHeights height, int from, int to, int by) {
+    private boolean isOff(int from, int to, int by) {
         return ribs.slip(height, from, to).equals(OptionalInt.of(by));
     }
 
@@ -184,7 +189,7 @@ final class VertebraNumbering {
 
     /** Whether the ribs tell that the vertebrae are so many off: the first ribs only with those up to the seventh. */
     private boolean ribsAreRight(int slip) {
-        boolean upperAlike = ribs.off(new VertebraHeights(s), 2, RibDeviations.FIRST - 1) == slip;
+        boolean upperAlike = ribs.off(height, 2, RibDeviations.FIRST - 1) == slip;
         boolean cutAbove = ribs.areCutAbove();
         return Stream.of(Side.RIGHT, Side.LEFT)
                 .anyMatch(side -> IntStream.rangeClosed(1, RibNumbering.RIBS).allMatch(n -> ribs.rib(n, side) > 0)

@@ -13,6 +13,7 @@ import org.phrenic.anatomy.StructureName;
 import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.Specks;
 
 /** Where the vertebrae of a volume lie, how they tilt to a side, and which of them each rib meets. */
 final class VertebraVoxels {
@@ -39,7 +40,8 @@ final class VertebraVoxels {
     /** Level of the vertebra that each rib meets, by segment. */
     private final TreeMap<Integer, OptionalInt> met = new TreeMap<>();
 
-    VertebraVoxels(Segmentation s, RibDeviations ribs) {
+    /** @param specks voxels that are left out */
+    VertebraVoxels(Segmentation s, RibDeviations ribs, Specks specks) {
         this.s = s;
         this.ribs = ribs;
         int[] levels = new int[s.names().size() + 1];
@@ -50,7 +52,7 @@ final class VertebraVoxels {
         }
         for (int v = 0; v < s.voxels().length; v++) {
             int level = levels[s.segmentAt(v)];
-            if (level > 0) {
+            if (level > 0 && !specks.contain(v)) {
                 vertebrae.computeIfAbsent(level, n -> new IntList()).add(v);
             }
         }
