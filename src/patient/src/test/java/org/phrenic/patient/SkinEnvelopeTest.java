@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -18,6 +19,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.SurfaceDistance;
 
@@ -106,6 +108,50 @@ class SkinEnvelopeTest {
         assertThat(distance.signedDistance(flank)[0])
                 .as("the flank beside the arm, mm")
                 .isCloseTo(new SurfaceDistance(skin).signedDistance(flank)[0], within(0.5));
+    }
+
+    /**
+     * A wall of the belly up to 60 mm before the costal margin, far from bones and organs where bowel and skin have no
+     * labels, and an arm that lies before it.
+     */
+    @Test
+    void theWallOfTheBellyIsInsideTheSkinUnderTheLabelOfAllMuscles() {
+        List<Structure> trunk = body(PatientStructure.Source.VIRTUAL).structures().stream()
+                .map(PatientStructure::structure)
+                .filter(s -> s.kind() != StructureKind.SKIN && !OrganNames.isBowel(s.name()))
+                .toList();
+        double[] b = PatientBody.bounds(trunk.stream().filter(s -> s.kind() == StructureKind.RIB))
+                .orElseThrow();
+        double middle = b[2] - 20;
+        double x = 0.5 * (b[0] + b[3]);
+        double y = 0.5 * (b[1] + b[4]);
+        TriangleMesh arm = Shapes.moved(stretched(b[3] - b[0], 20, 20), x, b[1] - 140, middle);
+        for (double before : new double[] {10, 60}) {
+            TriangleMesh belly =
+                    Shapes.moved(stretched(0.45 * (b[3] - b[0]), 0.5 * (b[4] - b[1]) + before, 100), x, y, middle);
+            TriangleMesh skin = skinAroundMuscle(trunk, belly);
+            assertThat(Arrays.stream(new SurfaceDistance(skin).signedDistance(belly.positions())))
+                    .as("%s mm before the margin", before)
+                    .allMatch(distance -> distance < -8);
+            assertThat(skinAroundMuscle(trunk, MeshMerge.merge(List.of(belly, arm)))
+                            .positions())
+                    .isEqualTo(skin.positions());
+        }
+    }
+
+    /** A sphere with these half axes. */
+    private static TriangleMesh stretched(double a, double b, double c) {
+        TriangleMesh sphere = Shapes.sphere(1, 4);
+        double[] axes = {a, b, c};
+        double[] p = sphere.positions().clone();
+        Arrays.setAll(p, i -> p[i] * axes[i % 3]);
+        return sphere.withPositions(p);
+    }
+
+    private static TriangleMesh skinAroundMuscle(List<Structure> trunk, TriangleMesh muscle) {
+        List<Structure> all = new ArrayList<>(trunk);
+        all.add(new Structure("muscle_skeletal", StructureKind.MUSCLE, 0, Side.MIDLINE, muscle));
+        return SkinEnvelope.around(all);
     }
 
     /** A couch 25 mm behind the trunk, and a target volume that reaches 60 mm out of it. */
