@@ -1,6 +1,5 @@
 package org.phrenic.patient.segmentation;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -30,8 +29,6 @@ public final class LungSplitter {
     private static final double LEAST_LOBE = 0.1;
     /** Least volume of a collapsed lung, and of what is left out with a note, ml. */
     private static final double MIN_ML = 30;
-    /** Lower share of a lung's height, beside which gas in the stomach and the bowel lies. */
-    private static final double LOW_SHARE = 0.25;
     /** Greatest width of one lung over its depth; two that touch are at least 1.3 times as wide as deep. */
     private static final double MAX_WIDTH = 1.15;
 
@@ -74,7 +71,7 @@ public final class LungSplitter {
      * @param areLungs whether a right and a left body may be the lungs
      * @return a sentence if there are none
      */
-    private static Optional<String> part(Segmentation segmentation, BiPredicate<Place, Place> areLungs) {
+    private static Optional<String> part(Segmentation segmentation, BiPredicate<LungPlace, LungPlace> areLungs) {
         VoxelRegion region = new VoxelRegion(segmentation, segmentation.find(LabelTable.LUNGS));
         region.computeDepths();
         byte[] piece = new byte[region.cells()];
@@ -92,12 +89,15 @@ public final class LungSplitter {
                 whole = new int[] {sizes[first], sizes[second]};
             }
             boolean isLarge = sizes[second] > MIN_SHARE * sizes[first];
-            if (second > 0 && (isLarge || erosion * voxelMm <= BRONCHUS_MM)) {
-                Place large = Place.of(segmentation, region, piece, first);
-                Place small = Place.of(segmentation, region, piece, second);
+            if (second > 0 && (isLarge || (erosion - 1) * voxelMm < BRONCHUS_MM)) {
+                LungPlace large = LungPlace.of(segmentation, region, piece, first);
+                LungPlace small = LungPlace.of(segmentation, region, piece, second);
+                if (!isLarge) {
+                    LungPlace.growBack(region, piece.clone(), large, small);
+                }
                 // The x axis points to the patient's left.
-                Place right = large.centre(0) < small.centre(0) ? large : small;
-                Place left = right == large ? small : large;
+                LungPlace right = large.centre(0) < small.centre(0) ? large : small;
+                LungPlace left = right == large ? small : large;
                 if ((isLarge ? small.isBeside(large) : isCollapsed(segmentation, small, large))
                         && areLungs.test(right, left)) {
                     divide(segmentation, region, piece, right, left);
@@ -105,8 +105,8 @@ public final class LungSplitter {
                 }
                 if (tooSmall.isEmpty() && erosion > 0 && small.isBeside(large)) {
                     tooSmall = tooSmall(
-                            segmentation.grid().volumeMl(large.voxels),
-                            segmentation.grid().volumeMl(small.voxels));
+                            segmentation.grid().volumeMl(large.grown()),
+                            segmentation.grid().volumeMl(small.grown()));
                 }
             }
             if (first == 0) {
@@ -142,9 +142,9 @@ public final class LungSplitter {
     }
 
     /** Whether a component is a small lung beside another, not touching it. */
-    private static boolean isCollapsed(Segmentation s, Place small, Place lung) {
-        return small.voxels > MIN_SHARE_COLLAPSED * lung.voxels
-                && s.grid().volumeMl(small.voxels) >= MIN_ML
+    private static boolean isCollapsed(Segmentation s, LungPlace small, LungPlace lung) {
+        return small.grown() > MIN_SHARE_COLLAPSED * lung.grown()
+                && s.grid().volumeMl(small.grown()) >= MIN_ML
                 && lung.size(0) <= MAX_WIDTH * lung.size(1)
                 && small.isBeside(lung)
                 && small.isAtHeightOf(lung);
@@ -159,18 +159,18 @@ public final class LungSplitter {
         if (first == 0) {
             return;
         }
-        Place labelled = Place.ofLargest(s, new VoxelRegion(s, s.find(isRightLabelled ? RIGHT : LEFT)));
-        Place largest = Place.of(s, region, piece, first);
-        if (largest.voxels <= MIN_SHARE * labelled.voxels && !isCollapsed(s, largest, labelled)) {
+        LungPlace labelled = LungPlace.ofLargest(s, new VoxelRegion(s, s.find(isRightLabelled ? RIGHT : LEFT)));
+        LungPlace largest = LungPlace.of(s, region, piece, first);
+        if (largest.voxels() <= MIN_SHARE * labelled.voxels() && !isCollapsed(s, largest, labelled)) {
             return;
         }
         boolean isOneLung = largest.size(0) <= MAX_WIDTH * largest.size(1)
-                && labelled.voxels > MIN_SHARE * largest.voxels
-                && sizes[largest(sizes, first)] <= MIN_SHARE * largest.voxels
+                && labelled.voxels() > MIN_SHARE * largest.voxels()
+                && sizes[largest(sizes, first)] <= MIN_SHARE * largest.voxels()
                 && isRightLabelled == labelled.centre(0) < largest.centre(0);
         boolean isApart = isOneLung ? !labelled.spans(largest.centre(0)) : largest.isBeside(labelled);
-        boolean isLobe = !isApart || labelled.voxels <= MIN_SHARE * region.memberCount();
-        BiPredicate<Place, Place> areLungs =
+        boolean isLobe = !isApart || labelled.voxels() <= MIN_SHARE * region.memberCount();
+        BiPredicate<LungPlace, LungPlace> areLungs =
                 (right, left) -> isRightLabelled ? labelled.isPartOf(right, left) : labelled.isPartOf(left, right);
         boolean areBoth = !isOneLung && isLobe && part(s, areLungs).isEmpty();
         if (isApart && !areBoth) {
@@ -188,12 +188,13 @@ public final class LungSplitter {
      *
      * @param lungs the right and the left one
      */
-    private static void giveLobes(Segmentation s, VoxelRegion region, byte[] piece, int[] sizes, List<Place> lungs) {
+    private static void giveLobes(
+            Segmentation s, VoxelRegion region, byte[] piece, int[] sizes, List<LungPlace> lungs) {
         for (int p = 1; p < sizes.length; p++) {
             if (p == largest(sizes, 0) || sizes[p] <= LEAST_LOBE * region.memberCount()) {
                 continue;
             }
-            Place lobe = Place.of(s, region, piece, p);
+            LungPlace lobe = LungPlace.of(s, region, piece, p);
             boolean besideRight = lobe.isBeside(lungs.get(0));
             boolean besideLeft = lobe.isBeside(lungs.get(1));
             if (besideRight != besideLeft) {
@@ -226,7 +227,7 @@ public final class LungSplitter {
         }
     }
 
-    private static int largest(int[] sizes, int but) {
+    static int largest(int[] sizes, int but) {
         int largest = 0;
         for (int p = 1; p < sizes.length; p++) {
             if (p != but && sizes[p] > sizes[largest]) {
@@ -236,16 +237,14 @@ public final class LungSplitter {
         return largest;
     }
 
-    private static void divide(Segmentation segmentation, VoxelRegion region, byte[] piece, Place right, Place left) {
-        for (int cell = 0; cell < piece.length; cell++) {
-            piece[cell] = piece[cell] == right.mark || piece[cell] == left.mark ? piece[cell] : 0;
-        }
-        region.growRegions(piece);
+    private static void divide(
+            Segmentation segmentation, VoxelRegion region, byte[] piece, LungPlace right, LungPlace left) {
+        LungPlace.growBack(region, piece, right, left);
         assign(segmentation, region, piece, right, RIGHT);
         assign(segmentation, region, piece, left, LEFT);
     }
 
-    private static void assign(Segmentation s, VoxelRegion region, byte[] piece, Place place, String lung) {
+    private static void assign(Segmentation s, VoxelRegion region, byte[] piece, LungPlace place, String lung) {
         TreeSet<Integer> labels = new TreeSet<>(s.labels(LabelTable.LUNGS));
         labels.addAll(s.find(lung) > 0 ? s.labels(lung) : List.of());
         region.assign(piece, place.mark, s.segment(lung));
@@ -265,74 +264,6 @@ public final class LungSplitter {
                             + " own, as lung_R or lung_L",
                     LabelTable.LUNGS,
                     s.grid().volumeMl(rest)));
-        }
-    }
-
-    /** Where a component lies, mm. */
-    private static final class Place {
-        private final int mark;
-        private final double[] low = new double[3];
-        private final double[] high = new double[3];
-        private final double[] sum = new double[3];
-        private int voxels;
-
-        private Place(int mark) {
-            this.mark = mark;
-            Arrays.fill(low, Double.POSITIVE_INFINITY);
-            Arrays.fill(high, Double.NEGATIVE_INFINITY);
-        }
-
-        static Place of(Segmentation s, VoxelRegion region, byte[] piece, int mark) {
-            Place place = new Place(mark);
-            for (int cell = 0; cell < piece.length; cell++) {
-                if (piece[cell] == mark) {
-                    place.add(s, region.voxel(cell));
-                }
-            }
-            return place;
-        }
-
-        /** The largest component of a segment. */
-        static Place ofLargest(Segmentation s, VoxelRegion region) {
-            byte[] piece = new byte[region.cells()];
-            return of(s, region, piece, LungSplitter.largest(region.connectedComponents(0, piece), 0));
-        }
-
-        private void add(Segmentation s, int voxel) {
-            voxels++;
-            for (int axis = 0; axis < 3; axis++) {
-                double at = s.coordinate(voxel, axis);
-                low[axis] = Math.min(low[axis], at);
-                high[axis] = Math.max(high[axis], at);
-                sum[axis] += at;
-            }
-        }
-
-        double size(int axis) {
-            return high[axis] - low[axis];
-        }
-
-        double centre(int axis) {
-            return sum[axis] / voxels;
-        }
-
-        /** Whether neither component reaches from right to left about the middle of the other. */
-        boolean isBeside(Place other) {
-            return !spans(other.centre(0)) && !other.spans(centre(0));
-        }
-
-        /** Whether this is a lobe of one of two lungs: beside the other, and nearer to the one than that is. */
-        boolean isPartOf(Place lung, Place other) {
-            return isBeside(other) && Math.abs(centre(0) - lung.centre(0)) < Math.abs(other.centre(0) - lung.centre(0));
-        }
-
-        boolean spans(double x) {
-            return x >= low[0] && x <= high[0];
-        }
-
-        /** Whether the middle lies as high as the other component, and not at its lower end. */
-        boolean isAtHeightOf(Place other) {
-            return centre(2) >= other.low[2] + LOW_SHARE * other.size(2) && centre(2) <= other.high[2];
         }
     }
 }

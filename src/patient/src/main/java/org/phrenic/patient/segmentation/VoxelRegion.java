@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.phrenic.mesh.IntList;
 
 /**
@@ -27,7 +28,7 @@ final class VoxelRegion {
     private final int wide;
     private final int high;
     private final int[] steps;
-    /** Steps from each cell to the nearest cell outside the segment; 0 outside, {@link #UNKNOWN} before computation. */
+    /** As {@link #computeDepths} tells; 0 outside the segment, {@link #UNKNOWN} before computation. */
     private final short[] depth;
 
     private final int[] queue;
@@ -79,29 +80,30 @@ final class VoxelRegion {
         return i + segmentation.columns * (j + segmentation.rows * k);
     }
 
-    /** Computes the depth of each cell, which is the number of steps to the nearest cell outside the segment. */
+    /**
+     * Computes the depth of each cell: the least distance along the axes from a cell outside the segment, in voxels of
+     * the smallest spacing.
+     */
     void computeDepths() {
-        int length = 0;
+        double[] spacings =
+                IntStream.range(0, 3).mapToDouble(segmentation.grid()::spacing).toArray();
+        double least = Arrays.stream(spacings).min().orElseThrow();
+        int[] lengths = Arrays.stream(spacings)
+                .mapToInt(spacing -> (int) Math.round(spacing / least))
+                .toArray();
         for (int cell = 0; cell < depth.length; cell++) {
-            boolean edge = false;
-            for (int s = 0; s < 6 && depth[cell] != 0 && !edge; s++) {
-                edge = depth[cell + steps[s]] == 0;
-            }
-            if (edge) {
-                queue[length++] = cell;
-            }
+            deepen(cell, 0, lengths);
         }
-        for (int at = 0; at < length; at++) {
-            depth[queue[at]] = 1;
+        for (int cell = depth.length - 1; cell >= 0; cell--) {
+            deepen(cell, 1, lengths);
         }
-        for (int at = 0; at < length; at++) {
-            for (int step : steps) {
-                int next = queue[at] + step;
-                if (depth[next] == UNKNOWN) {
-                    depth[next] = (short) (depth[queue[at]] + 1);
-                    queue[length++] = next;
-                }
-            }
+    }
+
+    /** @param first of the steps backward or forward */
+    private void deepen(int cell, int first, int[] lengths) {
+        for (int axis = 0; axis < 3 && depth[cell] != 0; axis++) {
+            int beyond = depth[cell + steps[2 * axis + first]] + lengths[axis];
+            depth[cell] = (short) Math.min(depth[cell], beyond);
         }
     }
 

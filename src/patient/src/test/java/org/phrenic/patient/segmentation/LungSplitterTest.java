@@ -84,7 +84,7 @@ class LungSplitterTest {
         box(1, 30, 8, 4, 10, 10, 10);
         box(1, 24, 12, 8, 6, 2, 2);
         assertThat(LungSplitter.split(segmentation(), notes).orElseThrow())
-                .contains("found one body that parts into two side by side of 1960 and 111 ml, of which the second is");
+                .contains("found one body that parts into two side by side of 2595 and 219 ml, of which the second is");
     }
 
     @Test
