@@ -16,6 +16,7 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
+import org.phrenic.file.JavaMemory;
 
 /**
  * A DICOM file (PS3.10).
@@ -107,8 +108,8 @@ public record DicomFile(DicomDataSet dataSet, String transferSyntax) {
     private static void checkMemory(String file, long size) {
         long memory = Runtime.getRuntime().maxMemory();
         if (size > MAX_MEMORY * memory) {
-            throw new BadInputException(file + ": found more than fits into Java's memory, which is " + (memory >> 20)
-                    + " MB, expected less than " + (int) (100 * MAX_MEMORY) + " % of it (java -Xmx8g gives it 8 GB)");
+            throw new BadInputException(file + ": found more than " + (int) (100 * MAX_MEMORY)
+                    + " % of Java's memory, which is " + JavaMemory.inWords(memory) + ", expected less");
         }
     }
 
