@@ -131,7 +131,7 @@ class OrganExtensionTest {
     void aPieceOfTheScanThatLiesApartIsKept() {
         for (double radius : new double[] {20, 60}) {
             TriangleMesh piece = raised(Shapes.sphere(radius, 4), -RADIUS_MM - 30 - radius);
-            TriangleMesh beyond = raised(Shapes.sphere(10, 3), 80);
+            TriangleMesh beyond = raised(Shapes.sphere(20, 4), 80);
             TriangleMesh whole = OrganExtension.extended(
                     organ(MeshMerge.merge(List.of(piece, SCAN)), end(), 0), MeshMerge.merge(List.of(TEMPLATE, beyond)));
             assertThat(ConnectedComponents.of(whole)).hasSize(2);

@@ -258,6 +258,17 @@ class DiaphragmBuilderTest {
         assertThat(quality.excess()).isEqualTo(expected, within(1e-9)).isGreaterThan(1);
     }
 
+    /** One limit twice exceeded, an angle of half its least, one kept, and a limit of 0. */
+    @Test
+    void theExcessCountsUpperAndLowerLimitsAndNoneOfZero() {
+        List<SheetQuality.Measure> measures = List.of(
+                new SheetQuality.Measure("a", "a", 6, "mm", 3, true),
+                new SheetQuality.Measure("b", "b", 2.5, "degrees", 5, false),
+                new SheetQuality.Measure("c", "c", 6, "degrees", 5, false),
+                new SheetQuality.Measure("d", "d", 7, "%", 0, true));
+        assertThat(new SheetQuality(measures, Optional.empty()).excess()).isEqualTo(2, within(1e-12));
+    }
+
     @Test
     void underALungThatEndsFarAboveTheLiverTheSheetLiesOnTheLiver() {
         Thorax parted = LungAboveFluid.in(without(StructureKind.DIAPHRAGM));
