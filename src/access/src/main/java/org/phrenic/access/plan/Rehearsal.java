@@ -79,11 +79,7 @@ public record Rehearsal(
             double tookS = 1e-9 * (System.nanoTime() - begun);
             progress.note(Numbers.format(
                     "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s%s.",
-                    access.map().size(),
-                    reached,
-                    cycle.size(),
-                    tookS,
-                    BreathCycle.limits(cycle).map(limits -> "; " + limits).orElse("")));
+                    access.map().size(), reached, cycle.size(), tookS, RehearsalReport.limits(cycle)));
             placesOf(plan.steps()).forEach(place -> PlanPlayer.entry(place, access.map()));
             if (simulation.restart()) {
                 NeedleSnapshots snapshots = new NeedleSnapshots();

@@ -300,7 +300,8 @@ public final class RehearsalReport {
         document.table("", Column.list("# Time, s | Breathing | Path | # Margin, mm"), rows);
     }
 
-    private static String limits(List<BreathMoment> cycle) {
+    /** What of the breathing is not judged, as the end of a sentence; empty for nothing. */
+    static String limits(List<BreathMoment> cycle) {
         return BreathCycle.limits(cycle).map(limits -> "; " + limits).orElse("");
     }
 

@@ -10,6 +10,7 @@ import java.awt.Paint;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.awt.event.MouseEvent;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -716,13 +717,18 @@ class DocksTest {
         assertThat(on(() -> body.comboBox().getSelectedItem())).isEqualTo("virtual/adult-male");
     }
 
-    @Test
-    void aTraceSaysWhatWasReadAndDisablesTheRate(@TempDir Path folder) throws Exception {
+    /** Writes breaths of 4 s, in samples of 0.1 s. */
+    private static Path recording(Path file, int samples) throws IOException {
         StringBuilder csv = new StringBuilder("time_s,amplitude\n");
-        for (int i = 0; i <= 200; i++) {
+        for (int i = 0; i <= samples; i++) {
             csv.append(i / 10.0).append(',').append(-Math.cos(Math.PI * i / 20)).append('\n');
         }
-        Path file = Files.writeString(folder.resolve("mine.csv"), csv);
+        return Files.writeString(file, csv);
+    }
+
+    @Test
+    void aTraceSaysWhatWasReadAndDisablesTheRate(@TempDir Path folder) throws Exception {
+        Path file = recording(folder.resolve("mine.csv"), 200);
         BreathDock dock = on(() -> new BreathDock(session));
         EventThread.run(() -> dock.openTrace(file));
         EventThread.until("the trace is taken", () -> session.scenario().trace().isPresent());
@@ -732,10 +738,10 @@ class DocksTest {
         assertThat(on(() -> dock.row(Breathing.RATE).slider().isEnabled())).isFalse();
         assertThat(on(() -> dock.row(Breathing.RATE).message())).contains("recorded breath");
         assertThat(on(() -> dock.row(Breathing.DEPTH).slider().isEnabled())).isTrue();
-        Files.writeString(file, csv.substring(0, csv.indexOf("16.1,")));
+        recording(file, 160);
         EventThread.run(() -> dock.onScene(session.scene().orElseThrow()));
         awaitDescription(dock, "4 breaths");
-        Files.writeString(file, csv.substring(0, csv.indexOf("12.1,")));
+        recording(file, 120);
         EventThread.run(() -> dock.openTrace(file));
         awaitDescription(dock, "3 breaths");
         // As another scenario does, whose scene is told before its values.
@@ -753,11 +759,7 @@ class DocksTest {
     /** A recording of hours takes seconds to read. */
     @Test
     void aPresetThatIsChosenWhileATraceIsReadStays(@TempDir Path folder) throws Exception {
-        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
-        for (int i = 0; i <= 20_000; i++) {
-            csv.append(i / 10.0).append(',').append(-Math.cos(Math.PI * i / 20)).append('\n');
-        }
-        Path file = Files.writeString(folder.resolve("long.csv"), csv);
+        Path file = recording(folder.resolve("long.csv"), 20_000);
         BreathDock dock = on(() -> new BreathDock(session));
         EventThread.run(() -> {
             dock.openTrace(file);

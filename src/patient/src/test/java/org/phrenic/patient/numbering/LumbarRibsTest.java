@@ -41,24 +41,14 @@ class LumbarRibsTest {
         return new Segmentation(CageVoxels.volume(labels, SLICE_MM), new LabelTable(table), "scan");
     }
 
-    /** Voxels of each rib by its name. */
-    private static TreeMap<String, Integer> counts(Segmentation s) {
-        TreeMap<String, Integer> counts = new TreeMap<>();
-        int[] all = s.counts();
-        s.names().stream()
-                .filter(name -> name.startsWith("rib_") && all[s.find(name)] > 0)
-                .forEach(name -> counts.put(name, all[s.find(name)]));
-        return counts;
-    }
-
     private static TreeMap<String, Integer> truth(CageVoxels cage, int slices) {
-        return counts(scan(cage, slices, STERNUM, false));
+        return CageVoxels.ribCounts(scan(cage, slices, STERNUM, false));
     }
 
     private static void assertNumbered(Segmentation s, String by, TreeMap<String, Integer> truth) {
         assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .endsWith(by));
-        assertThat(counts(s)).isEqualTo(truth);
+        assertThat(CageVoxels.ribCounts(s)).isEqualTo(truth);
     }
 
     /** As in a scan of the abdomen; so are they without any vertebra. */

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.Map;
-import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.segmentation.CageVoxels;
@@ -31,21 +30,12 @@ class ShortRibsTest {
         }
     }
 
-    private static Map<String, Integer> counts(Segmentation s) {
-        Map<String, Integer> counts = new TreeMap<>();
-        int[] all = s.counts();
-        s.names().stream()
-                .filter(name -> name.startsWith("rib_") && all[s.find(name)] > 0)
-                .forEach(name -> counts.put(name, all[s.find(name)]));
-        return counts;
-    }
-
     /** As a rib of the first lumbar vertebra or its transverse process, on one side or both. */
     @Test
     void aShortRibOfALumbarVertebraIsNoLastRib() {
         for (int slices : new int[] {CageVoxels.SLICES, ABDOMEN}) {
             CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
-            Map<String, Integer> truth = counts(scan(cage, slices, false));
+            Map<String, Integer> truth = CageVoxels.ribCounts(scan(cage, slices, false));
             for (boolean right : new boolean[] {true, false}) {
                 part(cage, 52, 16, 12, right);
                 Segmentation s = scan(cage, slices, true);
@@ -54,7 +44,7 @@ class ShortRibsTest {
                         .asString()
                         .startsWith("ribs: the " + truth.size() + " connected ribs")
                         .contains("left out, in small parts");
-                assertThat(counts(s)).isEqualTo(truth);
+                assertThat(CageVoxels.ribCounts(s)).isEqualTo(truth);
             }
         }
     }
@@ -62,22 +52,22 @@ class ShortRibsTest {
     @Test
     void belowATwelfthRibThereIsNoLastRibWithoutVertebrae() {
         CageVoxels cage = CageVoxels.withFloatingRibs();
-        Map<String, Integer> truth = counts(scan(cage, ABDOMEN, false));
+        Map<String, Integer> truth = CageVoxels.ribCounts(scan(cage, ABDOMEN, false));
         part(cage, 52, 16, 24, true);
         Segmentation s = scan(cage, ABDOMEN, true);
         assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().contains(", counted from the last");
-        assertThat(counts(s)).isEqualTo(truth);
+        assertThat(CageVoxels.ribCounts(s)).isEqualTo(truth);
     }
 
     /** The twelfth rib is as long as the eleventh. */
     @Test
     void belowTwelveRibsThereIsNoLastRib() {
         CageVoxels cage = new CageVoxels().withRibs(1);
-        Map<String, Integer> truth = counts(scan(cage, CageVoxels.SLICES, false));
+        Map<String, Integer> truth = CageVoxels.ribCounts(scan(cage, CageVoxels.SLICES, false));
         part(cage, 52, 16, 24, true);
         Segmentation s = scan(cage, CageVoxels.SLICES, true);
         assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().startsWith("ribs: the 24 connected");
-        assertThat(counts(s)).isEqualTo(truth);
+        assertThat(CageVoxels.ribCounts(s)).isEqualTo(truth);
     }
 
     private static CageVoxels withoutTwelfth() {
@@ -94,12 +84,12 @@ class ShortRibsTest {
     @Test
     void aPartBesideTheEndOfARibIsAFragmentOfIt() {
         CageVoxels cage = withoutTwelfth().withVertebrae(1);
-        Map<String, Integer> truth = counts(scan(cage, CageVoxels.SLICES, false));
+        Map<String, Integer> truth = CageVoxels.ribCounts(scan(cage, CageVoxels.SLICES, false));
         part(cage, 56, 34, 24, true);
         Segmentation s = scan(cage, CageVoxels.SLICES, true);
         BoneNumbering.numberRibs(s);
         truth.merge("rib_11_R", 24, Integer::sum);
-        assertThat(counts(s)).isEqualTo(truth);
+        assertThat(CageVoxels.ribCounts(s)).isEqualTo(truth);
     }
 
     /** 57 or 63 mm below the eleventh. */
@@ -107,14 +97,14 @@ class ShortRibsTest {
     void aPartFarBelowTheOthersIsNoLastRib() {
         for (int slice : new int[] {17, 15}) {
             CageVoxels cage = withoutTwelfth();
-            Map<String, Integer> truth = counts(scan(cage, ABDOMEN, false));
+            Map<String, Integer> truth = CageVoxels.ribCounts(scan(cage, ABDOMEN, false));
             part(cage, 52, slice, 24, true);
             Segmentation s = scan(cage, ABDOMEN, true);
             assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().contains("counted from the last");
             if (slice > 15) {
                 truth.put("rib_12_R", 24);
             }
-            assertThat(counts(s)).isEqualTo(truth);
+            assertThat(CageVoxels.ribCounts(s)).isEqualTo(truth);
         }
     }
 }

@@ -117,6 +117,16 @@ public final class CageVoxels {
         return new Segmentation(volume(), table, "scan");
     }
 
+    /** Voxels of each rib by its name. */
+    public static TreeMap<String, Integer> ribCounts(Segmentation s) {
+        TreeMap<String, Integer> counts = new TreeMap<>();
+        int[] all = s.counts();
+        s.names().stream()
+                .filter(name -> name.startsWith("rib_") && all[s.find(name)] > 0)
+                .forEach(name -> counts.put(name, all[s.find(name)]));
+        return counts;
+    }
+
     /** The table of TotalSegmentator, with all ribs under one label of the table if wanted. */
     public static LabelTable table(boolean commonRibs) {
         Map<Integer, String> structures = new TreeMap<>();
