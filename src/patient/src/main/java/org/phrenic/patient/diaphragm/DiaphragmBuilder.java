@@ -103,23 +103,28 @@ public final class DiaphragmBuilder implements ImplicitSurface {
      * @param parted as {@link BreathLevel#parted}
      */
     static TriangleMesh build(Thorax body, Optional<Side> parted, int vertices) {
-        return build(body, new CageEnvelope(body), parted, vertices);
+        return build(body, new CageEnvelope(body), parted, body::isInScan, vertices);
     }
 
-    /** The same inside a known envelope. */
-    static TriangleMesh build(Thorax body, CageEnvelope cage, Optional<Side> parted, int vertices) {
+    /**
+     * The same inside a known envelope.
+     *
+     * @param stays which organs stay where they are and do not yield to the sheet
+     */
+    static TriangleMesh build(
+            Thorax body, CageEnvelope cage, Optional<Side> parted, Predicate<Structure> stays, int vertices) {
         return choose(
                         shape -> new DiaphragmBuilder(body, cage, shape).sheet(vertices),
                         parted,
                         sheet -> SheetQuality.liesOnWall(body, cage, sheet),
-                        sheet -> SheetQuality.of(body, cage, sheet).excess())
+                        sheet -> SheetQuality.of(body, cage, sheet, stays).excess())
                 .orElseThrow(() -> new IllegalArgumentException(
                         "between the lungs and the organs below, its sheet would pass through itself"));
     }
 
     /**
-     * The first sheet that lies on the wall, of those that do not pass through themselves; if none of the first does,
-     * the one of them of least excess, or else the first that there is.
+     * The first sheet if it lies on the wall, else of the next ones the first without excess, or the one of least
+     * excess, or the first that there is; all of those that do not pass through themselves.
      *
      * @param build builds the sheet of a roof
      * @param liesOnWall whether a sheet keeps to the wall and has no slivers
@@ -131,6 +136,7 @@ public final class DiaphragmBuilder implements ImplicitSurface {
             Predicate<TriangleMesh> liesOnWall,
             ToDoubleFunction<TriangleMesh> excess) {
         Optional<TriangleMesh> best = Optional.empty();
+        boolean isFirst = true;
         double least = Double.POSITIVE_INFINITY;
         for (double smoothing : SMOOTHING_MM) {
             if (best.isPresent() && smoothing > COMPARED_MM) {
@@ -138,13 +144,18 @@ public final class DiaphragmBuilder implements ImplicitSurface {
             }
             for (double depth : PIVOT_DEPTHS) {
                 TriangleMesh sheet = build.apply(new DomeSurface.Shape(smoothing, depth, parted));
+                boolean isTaken = isFirst;
+                isFirst = false;
                 if (SelfIntersections.count(sheet) > 0) {
                     continue;
                 }
-                if (liesOnWall.test(sheet)) {
+                if (isTaken && liesOnWall.test(sheet)) {
                     return Optional.of(sheet);
                 }
                 double beyond = excess.applyAsDouble(sheet);
+                if (beyond == 0) {
+                    return Optional.of(sheet);
+                }
                 if (beyond < least) {
                     best = Optional.of(sheet);
                     least = beyond;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -59,11 +60,11 @@ public final class DiaphragmCompletion {
             });
             Thorax bare = hernia.isPresent() ? bare(body, rest) : whole;
             straight = hernia.isPresent() ? frame.toFrame(bare) : before;
-            TriangleMesh built = DiaphragmBuilder.build(straight, cage, parted, vertices);
+            Predicate<Structure> stays = s -> !moved && bare.isInScan(s);
+            TriangleMesh built = DiaphragmBuilder.build(straight, cage, parted, stays, vertices);
             sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, frame.toScan(built));
             YieldToSheet contact = new YieldToSheet(bare, frame, built);
-            rest.replaceAll(
-                    s -> moved || !bare.isInScan(s.structure()) ? s.withStructure(contact.yielded(s.structure())) : s);
+            rest.replaceAll(s -> stays.test(s.structure()) ? s : s.withStructure(contact.yielded(s.structure())));
         } catch (IllegalArgumentException e) {
             return withoutTemplates(body).withNotes(List.of("no diaphragm is built: " + e.getMessage()));
         }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -96,17 +97,21 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
     /** Measures the sheet of a body whose envelope is known. */
     static SheetQuality of(Thorax body, CageEnvelope cage) {
         TriangleMesh shells = body.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
-        return new Measuring(body, Diaphragm.sheetAmong(shells).orElse(shells), cage).result();
+        return of(body, cage, Diaphragm.sheetAmong(shells).orElse(shells), organ -> true);
     }
 
-    /** Measures a sheet in place of that of a body whose envelope is known. */
-    static SheetQuality of(Thorax body, CageEnvelope cage, TriangleMesh sheet) {
-        return new Measuring(body, sheet, cage).result();
+    /**
+     * Measures a sheet in place of that of a body whose envelope is known.
+     *
+     * @param counts which organs count
+     */
+    static SheetQuality of(Thorax body, CageEnvelope cage, TriangleMesh sheet, Predicate<Structure> counts) {
+        return new Measuring(body, sheet, cage).result(counts);
     }
 
     /**
      * Whether a sheet keeps the limits of its smallest angle, its insertion and its apposition. What it does not tell:
-     * the cage, inside which a sheet is built, and organs, which yield to it.
+     * the cage, inside which a sheet is built, and organs, on which its roof lies as far as it can.
      */
     static boolean liesOnWall(Thorax body, CageEnvelope cage, TriangleMesh sheet) {
         return MeshQuality.of(sheet).smallestAngleDeg() >= LEAST_ANGLE_DEG
@@ -156,7 +161,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             diaphragm = Diaphragm.withTrefoilTendon(sheet);
         }
 
-        SheetQuality result() {
+        SheetQuality result(Predicate<Structure> counts) {
             double[] outside = IntStream.range(0, sheet.vertexCount())
                     .mapToDouble(v -> Math.max(0, cage.at(sheet.x(v), sheet.y(v), sheet.z(v))))
                     .toArray();
@@ -166,7 +171,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             add("outside_cage_percentile_95_mm", "outside the cage, 95 %", percentile95(outside), "mm", 2);
             add("outside_cage_share_percent", "vertices more than 3 mm outside", share, "%", 0);
             ofWall();
-            double through = addOrgans();
+            double through = addOrgans(counts);
             MeshQuality quality = MeshQuality.of(sheet);
             add("self_intersections", "self-intersections", SelfIntersections.count(sheet), "", 0);
             measures.add(new Measure(
@@ -208,9 +213,15 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
         }
 
         /** Adds the measures of organs; returns the share of their vertices on the wrong side, per cent. */
-        private double addOrgans() {
-            OrganSides thoracic = new OrganSides(diaphragm, true, ContactingOrgans.thoracic(body));
-            OrganSides abdominal = new OrganSides(diaphragm, false, ContactingOrgans.abdominal(body));
+        private double addOrgans(Predicate<Structure> counts) {
+            OrganSides thoracic = new OrganSides(
+                    diaphragm,
+                    true,
+                    ContactingOrgans.thoracic(body).stream().filter(counts).toList());
+            OrganSides abdominal = new OrganSides(
+                    diaphragm,
+                    false,
+                    ContactingOrgans.abdominal(body).stream().filter(counts).toList());
             double share = 100.0
                     * (thoracic.count() + abdominal.count())
                     / Math.max(1, thoracic.vertices() + abdominal.vertices());

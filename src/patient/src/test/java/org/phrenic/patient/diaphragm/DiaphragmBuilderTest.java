@@ -229,9 +229,12 @@ class DiaphragmBuilderTest {
     }
 
     @Test
-    void theSheetIsTheFirstOnTheWallElseTheOneThatLeavesItLeastOfTheLittleSmoothed() {
+    void theSheetIsTheFirstOnTheWallElseThatOfLeastExcessOfTheLittleSmoothed() {
+        assertThat(chosen(k -> false, k -> k == 1, k -> 7 - k)).isEqualTo(1);
         assertThat(chosen(k -> k == 1, k -> k >= 1, k -> 0)).isEqualTo(2);
-        assertThat(chosen(k -> false, k -> k == 4, k -> 1)).isEqualTo(4);
+        assertThat(chosen(k -> false, k -> k == 4, k -> k == 4 ? 0 : 1)).isEqualTo(4);
+        // A sheet on the wall that cuts far through organs of the scan.
+        assertThat(chosen(k -> false, k -> k == 4, k -> k == 4 ? 3 : 1)).isEqualTo(1);
         // Two pivots of the smoothing lengths 5, 7 and 10 mm are compared, and no later ones.
         assertThat(chosen(k -> false, k -> k >= 7, k -> Math.abs(k - 6.1))).isEqualTo(6);
         assertThat(chosen(k -> false, k -> false, k -> k == 3 ? 0.2 : 0.3)).isEqualTo(3);
@@ -243,19 +246,26 @@ class DiaphragmBuilderTest {
     void theExcessOfASheetIsThatOfItsMeasuresBeyondTheirLimits() {
         Structure out = new Structure("diaphragm", StructureKind.DIAPHRAGM, 0, Side.MIDLINE, BUILT);
         assertThat(SheetQuality.liesOnWall(FEMALE, CAGE, BUILT)).isTrue();
-        assertThat(SheetQuality.of(FEMALE, CAGE, BUILT).excess()).isZero();
+        assertThat(SheetQuality.of(FEMALE, CAGE, BUILT, organ -> true).excess()).isZero();
         double[] lower = BUILT.positions().clone();
         for (int i = 2; i < lower.length; i += 3) {
             lower[i] -= 20;
         }
         TriangleMesh moved = out.mesh().withPositions(lower);
         assertThat(SheetQuality.liesOnWall(FEMALE, CAGE, moved)).isFalse();
-        SheetQuality quality = SheetQuality.of(FEMALE, CAGE, moved);
+        SheetQuality quality = SheetQuality.of(FEMALE, CAGE, moved, organ -> true);
         double expected = 0;
         for (SheetQuality.Measure m : quality.measures()) {
             expected += m.atMost() && m.limit() > 0 ? Math.max(0, m.value() / m.limit() - 1) : 0;
         }
         assertThat(quality.excess()).isEqualTo(expected, within(1e-9)).isGreaterThan(1);
+        SheetQuality yielding = SheetQuality.of(FEMALE, CAGE, moved, organ -> organ.kind() == StructureKind.LUNG);
+        assertThat(yielding.value("organs_through_maximum_mm"))
+                .as("organs that yield")
+                .isLessThan(3);
+        double ofOrgans = quality.value("organs_through_maximum_mm") / 3 - 1;
+        assertThat(ofOrgans).isGreaterThan(1);
+        assertThat(yielding.excess()).isEqualTo(expected - ofOrgans, within(1e-9));
     }
 
     /** One limit twice exceeded, an angle of half its least, one kept, and a limit of 0. */
