@@ -37,9 +37,8 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     public static final double CLEARANCE_MM = 1;
 
     /**
-     * Smoothing lengths of the roof, mm, and for each the depths of its pivot, taken in turn until the sheet does not
-     * pass through itself, has no slivers and keeps to the wall. From a deeper pivot, rays pass by a spur of a lung
-     * that would hide the base beyond it.
+     * Smoothing lengths of the roof, mm, and for each the depths of its pivot, taken in turn; see {@link #choose}. From
+     * a deeper pivot, rays pass by a spur of a lung that would hide the base beyond it.
      */
     private static final double[] SMOOTHING_MM = {5, 7, 10, 14, 20, 28, 40};
 
@@ -136,20 +135,18 @@ public final class DiaphragmBuilder implements ImplicitSurface {
             Predicate<TriangleMesh> liesOnWall,
             ToDoubleFunction<TriangleMesh> excess) {
         Optional<TriangleMesh> best = Optional.empty();
-        boolean isFirst = true;
         double least = Double.POSITIVE_INFINITY;
         for (double smoothing : SMOOTHING_MM) {
             if (best.isPresent() && smoothing > COMPARED_MM) {
                 break;
             }
             for (double depth : PIVOT_DEPTHS) {
-                TriangleMesh sheet = build.apply(new DomeSurface.Shape(smoothing, depth, parted));
-                boolean isTaken = isFirst;
-                isFirst = false;
+                DomeSurface.Shape shape = new DomeSurface.Shape(smoothing, depth, parted);
+                TriangleMesh sheet = build.apply(shape);
                 if (SelfIntersections.count(sheet) > 0) {
                     continue;
                 }
-                if (isTaken && liesOnWall.test(sheet)) {
+                if (shape.equals(first(parted)) && liesOnWall.test(sheet)) {
                     return Optional.of(sheet);
                 }
                 double beyond = excess.applyAsDouble(sheet);
@@ -171,8 +168,11 @@ public final class DiaphragmBuilder implements ImplicitSurface {
 
     /** The roof of the diaphragm as it is tried first. */
     static DomeSurface roof(Thorax body, CageEnvelope cage) {
-        DomeSurface.Shape shape = new DomeSurface.Shape(SMOOTHING_MM[0], PIVOT_DEPTHS[0], Optional.empty());
-        return new DomeSurface(body, cage, THICKNESS_MM / 2, shape);
+        return new DomeSurface(body, cage, THICKNESS_MM / 2, first(Optional.empty()));
+    }
+
+    private static DomeSurface.Shape first(Optional<Side> parted) {
+        return new DomeSurface.Shape(SMOOTHING_MM[0], PIVOT_DEPTHS[0], parted);
     }
 
     private double wall(double x, double y, double z) {
